@@ -13,6 +13,15 @@
 /* A status that never leaves the library: a limit was reached, and fmb_run knows which. */
 #define FMB_LIMIT ((fmb_status)100)
 
+/* What goes wrong in the call is what goes wrong in the function that makes it, which ends here:
+ * for functions of a status that have nothing to clean up. */
+#define FMB_TRY(call)                                                                              \
+    do {                                                                                           \
+        fmb_status fmb_tried = (call);                                                             \
+        if (fmb_tried != FMB_OK)                                                                   \
+            return fmb_tried;                                                                      \
+    } while (0)
+
 typedef struct fmb_mem {
     fmb_alloc alloc;
     size_t used, peak, limit; /* [bytes]; limit 0 = none */

@@ -38,9 +38,7 @@ static fmb_status write_unit_line(fmb_cone *c, size_t j)
 {
     size_t width = c->line.width;
     bool wide = false;
-    fmb_status st = fmb_rays_add(&c->line);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rays_add(&c->line));
     fmb_vec *v = &c->line.v[c->line.size - 1];
     for (size_t k = 0; k < width; k++)
         v->s[k] = k < c->coords && (c->of.keep ? c->of.keep[k] : k) == j;
@@ -51,16 +49,15 @@ static fmb_status write_unit_line(fmb_cone *c, size_t j)
     }
     fmb_vec_measure(v, width);
     if (wide)
-        st = write_values_of_unit_line(c, v, j);
-    return st == FMB_OK && c->of.wide_only ? fmb_vec_widen(v, width, c->run->mem) : st;
+        FMB_TRY(write_values_of_unit_line(c, v, j));
+    return c->of.wide_only ? fmb_vec_widen(v, width, c->run->mem) : FMB_OK;
 }
 
 static fmb_status write_unit_lines(fmb_cone *c)
 {
-    fmb_status st = FMB_OK;
-    for (size_t j = 0; st == FMB_OK && j < c->of.d; j++)
-        st = write_unit_line(c, j);
-    return st;
+    for (size_t j = 0; j < c->of.d; j++)
+        FMB_TRY(write_unit_line(c, j));
+    return FMB_OK;
 }
 
 fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of)
@@ -83,8 +80,8 @@ fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of)
             c->weight[i] += fmb_vec_sgn(of->row[i].v, k) != 0;
     for (size_t k = 0; k < c->lefts; k++)
         c->left[k] = k;
-    fmb_status st = fmb_run_open_num(run, &c->num, width, of->wide_only);
-    return st == FMB_OK ? write_unit_lines(c) : st;
+    FMB_TRY(fmb_run_open_num(run, &c->num, width, of->wide_only));
+    return write_unit_lines(c);
 }
 
 void fmb_cone_clear(fmb_cone *c)
@@ -204,14 +201,13 @@ static bool is_cone_unfinished(const fmb_cone *c)
 
 static fmb_status go_on_with_rows(fmb_cone *c, uint64_t most)
 {
-    fmb_status st = FMB_OK;
     if (!c->at->running)
-        st = insert_next_row(c);
+        FMB_TRY(insert_next_row(c));
     size_t entry = c->at->entry;
-    if (st == FMB_OK && c->at->running)
-        st = fmb_insertion_run(c, most);
-    if (st != FMB_OK || c->at->running)
-        return st;
+    if (c->at->running)
+        FMB_TRY(fmb_insertion_run(c, most));
+    if (c->at->running)
+        return FMB_OK;
     fmb_trend_end_step(&c->trend, c->run->work);
     return c->of.keep ? drop_carried_row(c, entry - c->coords) : FMB_OK;
 }

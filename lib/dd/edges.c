@@ -119,31 +119,28 @@ static void look_up_edges(fmb_ray_edges *e, const fmb_edge_sides *of, uint32_t b
 fmb_status fmb_ray_edges_enter(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_side_part part,
                                fmb_run *run)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = part.from; st == FMB_OK && i < part.to; i++) {
+    for (size_t i = part.from; i < part.to; i++) {
         if (fmb_is_simple(of, of->small[i]))
             enter_edges(e, of, i);
-        st = fmb_run_poll(run);
+        FMB_TRY(fmb_run_poll(run));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_ray_edges_look_up(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_side_part part,
                                  fmb_run *run)
 {
-    fmb_status st = FMB_OK;
-    for (size_t j = part.from; st == FMB_OK && j < part.to; j++) {
+    for (size_t j = part.from; j < part.to; j++) {
         if (fmb_is_simple(of, of->large[j]))
             look_up_edges(e, of, of->large[j]);
-        st = fmb_run_poll(run);
+        FMB_TRY(fmb_run_poll(run));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_ray_edges_find(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run)
 {
-    fmb_status st = fmb_ray_edges_begin(e, of, run);
-    if (st == FMB_OK)
-        st = fmb_ray_edges_enter(e, of, (fmb_side_part){0, of->smalls}, run);
-    return st == FMB_OK ? fmb_ray_edges_look_up(e, of, (fmb_side_part){0, of->larges}, run) : st;
+    FMB_TRY(fmb_ray_edges_begin(e, of, run));
+    FMB_TRY(fmb_ray_edges_enter(e, of, (fmb_side_part){0, of->smalls}, run));
+    return fmb_ray_edges_look_up(e, of, (fmb_side_part){0, of->larges}, run);
 }

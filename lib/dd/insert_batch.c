@@ -134,10 +134,8 @@ static void count_rays_until_pause(fmb_cone *c, uint64_t most)
 
 static fmb_status make_rays_of_batch(fmb_cone *c, uint64_t most)
 {
-    fmb_status st = make_room_for_rays(c, most);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_insertion_do(c, make_rays_of_chunk);
+    FMB_TRY(make_room_for_rays(c, most));
+    fmb_status st = fmb_insertion_do(c, make_rays_of_chunk);
     take_over_rays(c);
     if (st == FMB_OK)
         count_rays_until_pause(c, most);
@@ -156,12 +154,10 @@ bool fmb_insertion_is_work_for_workers(const fmb_cone *c)
 fmb_status fmb_insertion_run_workers(fmb_cone *c, uint64_t most)
 {
     fmb_insertion *s = c->at;
-    fmb_status st = s->workers ? FMB_OK : fmb_insertion_hire(c);
-    if (st == FMB_OK && !s->rest.ready)
-        st = fmb_adjacency_gather_rest(c);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(s->workers ? FMB_OK : fmb_insertion_hire(c));
+    if (!s->rest.ready)
+        FMB_TRY(fmb_adjacency_gather_rest(c));
     divide_batch(c, most);
-    st = fmb_insertion_do(c, find_neighbours_of_chunk);
-    return st == FMB_OK ? make_rays_of_batch(c, most) : st;
+    FMB_TRY(fmb_insertion_do(c, find_neighbours_of_chunk));
+    return make_rays_of_batch(c, most);
 }

@@ -138,21 +138,15 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
     size_t rays = c->ray.size;
     if (rays >= UINT32_MAX / 2)
         return FMB_ERR_MEMORY;
-    fmb_status st = fmb_rays_reserve_bits(&c->ray, c->bits + 1);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(c->run->mem, (void **)&s->ray, &s->ray_capacity, rays, sizeof *s->ray);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(c->run->mem, (void **)&s->sign, &s->sign_capacity, rays,
-                             sizeof *s->sign);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rays_reserve_bits(&c->ray, c->bits + 1));
+    FMB_TRY(fmb_mem_reserve(c->run->mem, (void **)&s->ray, &s->ray_capacity, rays, sizeof *s->ray));
+    FMB_TRY(
+        fmb_mem_reserve(c->run->mem, (void **)&s->sign, &s->sign_capacity, rays, sizeof *s->sign));
     s->entry = entry;
     s->row = row;
     s->rays = rays;
     s->next = 0;
-    st = fmb_insertion_find_signs(c);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_insertion_find_signs(c));
     list_sides_of_row(c, s);
     s->running = true;
     s->large_side.ready = s->rest.ready = false;
@@ -162,11 +156,8 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
 static fmb_status add_ray_of_pair(fmb_cone *c, uint32_t a, uint32_t b)
 {
     size_t at = c->ray.size;
-    fmb_status st = fmb_rays_add(&c->ray);
-    if (st == FMB_OK)
-        st = fmb_insertion_combine(c, at, a, b, &c->num);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rays_add(&c->ray));
+    FMB_TRY(fmb_insertion_combine(c, at, a, b, &c->num));
     fmb_cone_count_negatives(c, &c->ray.v[at], 1, c->negatives);
     c->made += fmb_ray_price(&c->ray.v[at]);
     fmb_run_count(c->run, fmb_work_of_ray(&c->ray.v[at], c->ray.width));
@@ -199,14 +190,12 @@ static fmb_status prepare_pairs(fmb_cone *c)
 fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)
 {
     fmb_insertion *s = c->at;
-    fmb_status st = FMB_OK;
     if (s->large > 0 && !s->large_side.ready)
-        st = prepare_pairs(c);
-    while (st == FMB_OK && s->next < s->small && s->large > 0 && c->made < most &&
-           !fmb_run_is_slice_over(c->run))
-        st = fmb_insertion_is_work_for_workers(c) ? fmb_insertion_run_workers(c, most)
-                                                  : pair_next_ray(c);
-    if (st == FMB_OK && (s->next == s->small || s->large == 0))
+        FMB_TRY(prepare_pairs(c));
+    while (s->next < s->small && s->large > 0 && c->made < most && !fmb_run_is_slice_over(c->run))
+        FMB_TRY(fmb_insertion_is_work_for_workers(c) ? fmb_insertion_run_workers(c, most)
+                                                     : pair_next_ray(c));
+    if (s->next == s->small || s->large == 0)
         finish_insertion(c);
-    return st;
+    return FMB_OK;
 }

@@ -22,10 +22,10 @@ fmb_status fmb_insertion_hire(fmb_cone *c)
         return fmb_mem_status(c->run->mem);
     c->at->workers = w;
     w->m = c->of.m;
-    fmb_status st = fmb_team_open(&w->team, c->run, FMB_INSERTION_CHUNKS);
-    for (size_t k = 0; st == FMB_OK && k < FMB_INSERTION_CHUNKS; k++)
-        st = equip_chunk(c, &w->chunk[k], &w->team.share[k].run);
-    return st;
+    FMB_TRY(fmb_team_open(&w->team, c->run, FMB_INSERTION_CHUNKS));
+    for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++)
+        FMB_TRY(equip_chunk(c, &w->chunk[k], &w->team.share[k].run));
+    return FMB_OK;
 }
 
 static void dismiss_chunk(fmb_insertion_chunk *p, size_t m, fmb_mem *mem)
@@ -50,8 +50,8 @@ void fmb_insertion_dismiss_workers(fmb_insertion *s, fmb_mem *mem)
 
 fmb_status fmb_insertion_do(fmb_cone *c, fmb_team_job job)
 {
-    fmb_status st = c->at->workers ? FMB_OK : fmb_insertion_hire(c);
-    return st == FMB_OK ? fmb_team_do(&c->at->workers->team, FMB_INSERTION_CHUNKS, job, c) : st;
+    FMB_TRY(c->at->workers ? FMB_OK : fmb_insertion_hire(c));
+    return fmb_team_do(&c->at->workers->team, FMB_INSERTION_CHUNKS, job, c);
 }
 
 /* ---- an entry of each ray -------------------------------------------------------------------- */
@@ -171,10 +171,9 @@ static fmb_status set_values_of_rays(fmb_cone *c, const fmb_vec *row)
 
 fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < c->line.size; i++)
-        st = fmb_vec_set_product(&c->line.v[i], c->coords, c->ray.width, row, &c->num);
-    return st == FMB_OK ? set_values_of_rays(c, row) : st;
+    for (size_t i = 0; i < c->line.size; i++)
+        FMB_TRY(fmb_vec_set_product(&c->line.v[i], c->coords, c->ray.width, row, &c->num));
+    return set_values_of_rays(c, row);
 }
 
 /* ---- edges ----------------------------------------------------------------------------------- */
@@ -198,8 +197,7 @@ fmb_status fmb_insertion_find_edges(fmb_cone *c)
     fmb_edge_sides of = fmb_adjacency_sides(c);
     if (c->run->threads < 2 || of.smalls + of.larges < WORTH_WORKERS)
         return fmb_ray_edges_find(&c->at->edges, &of, c->run);
-    fmb_status st = fmb_ray_edges_begin(&c->at->edges, &of, c->run);
-    if (st == FMB_OK)
-        st = fmb_insertion_do(c, enter_edges_of_chunk);
-    return st == FMB_OK ? fmb_insertion_do(c, look_up_edges_of_chunk) : st;
+    FMB_TRY(fmb_ray_edges_begin(&c->at->edges, &of, c->run));
+    FMB_TRY(fmb_insertion_do(c, enter_edges_of_chunk));
+    return fmb_insertion_do(c, look_up_edges_of_chunk);
 }

@@ -22,18 +22,15 @@ void fmb_rays_clear(fmb_rays *r)
 fmb_status fmb_rays_add_many(fmb_rays *r, size_t n)
 {
     size_t size = r->size + n;
-    fmb_status st = fmb_mem_reserve(r->mem, (void **)&r->v, &r->capacity, size, sizeof *r->v);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, size * r->words,
-                             sizeof *r->support);
-    for (; st == FMB_OK && r->made < size; r->made++) {
+    FMB_TRY(fmb_mem_reserve(r->mem, (void **)&r->v, &r->capacity, size, sizeof *r->v));
+    FMB_TRY(fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, size * r->words,
+                            sizeof *r->support));
+    for (; r->made < size; r->made++) {
         int64_t *s = fmb_arena_get(&r->arena, r->width, sizeof *s);
         if (!s)
             return fmb_mem_status(r->mem);
         r->v[r->made] = (fmb_vec){.s = s};
     }
-    if (st != FMB_OK)
-        return st;
     for (; r->size < size; r->size++)
         memset(fmb_rays_support(r, r->size), 0, r->words * sizeof *r->support);
     return FMB_OK;
@@ -57,10 +54,8 @@ fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits)
         return FMB_OK;
     while (64 * words < bits)
         words *= 2;
-    fmb_status st = fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words,
-                                    r->size * words, sizeof *r->support);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, r->size * words,
+                            sizeof *r->support));
     for (size_t i = r->size; i-- > 0;) {
         uint64_t *to = r->support + i * words;
         memmove(to, r->support + i * old, old * sizeof *to);

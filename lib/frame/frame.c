@@ -105,29 +105,27 @@ bool fmb_frame_q_is_good(const fmb_frame_q *f, int dim)
 /* "c2", or "c1_2" where several frames have some */
 static fmb_status add_coordinates(const fmb_maker *m, size_t k)
 {
-    fmb_status st = FMB_OK;
-    for (int i = 1; st == FMB_OK && i <= m->scene.frame[k].naxes; i++) {
+    for (int i = 1; i <= m->scene.frame[k].naxes; i++) {
         char name[48];
         if (m->in == FMB_COORDINATES_LAST)
             snprintf(name, sizeof name, "c%d", i);
         else
             snprintf(name, sizeof name, "c%zu_%d", k + 1, i);
-        st = fmb_system_add_variable(m->s, name, NULL);
+        FMB_TRY(fmb_system_add_variable(m->s, name, NULL));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The point has the names that variables have anyway. */
 static fmb_status add_names(const fmb_maker *m)
 {
     bool point = m->in == FMB_COORDINATES_WORLD || m->in == FMB_COORDINATES_ALL;
-    fmb_status st = FMB_OK;
-    for (int j = 0; point && st == FMB_OK && j < m->dim; j++)
-        st = fmb_system_add_variable(m->s, NULL, NULL);
+    for (int j = 0; point && j < m->dim; j++)
+        FMB_TRY(fmb_system_add_variable(m->s, NULL, NULL));
     for (size_t k = m->in == FMB_COORDINATES_LAST ? m->scene.frames - 1 : 0;
-         st == FMB_OK && m->in != FMB_COORDINATES_WORLD && k < m->scene.frames; k++)
-        st = add_coordinates(m, k);
-    return st == FMB_OK && m->time >= 0 ? fmb_system_add_variable(m->s, "t", NULL) : st;
+         m->in != FMB_COORDINATES_WORLD && k < m->scene.frames; k++)
+        FMB_TRY(add_coordinates(m, k));
+    return m->time >= 0 ? fmb_system_add_variable(m->s, "t", NULL) : FMB_OK;
 }
 
 /* False: more than a system has. */
@@ -202,13 +200,11 @@ static fmb_status make_system_from(const fmb_frame *f, const fmb_frame_q *q, siz
     fmb_maker m = {.in = in, .inside = contact == FMB_CONTACT_OPEN ? FMB_LT : FMB_LE, .run = run};
     if (!out || (unsigned)in > FMB_COORDINATES_ALL || (unsigned)contact > FMB_CONTACT_OPEN)
         return FMB_ERR_ARG;
-    fmb_status st = fmb_system_new(0, hook, &m.s);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_system_new(0, hook, &m.s));
     fmb_mem *mem = &m.s->mem;
     mem->limit = run ? run->mem->limit : 0;
-    st = f ? fmb_scene_of_doubles(&m.scene, f, n, mem, run)
-           : fmb_scene_of_rationals(&m.scene, q, n, mem, run);
+    fmb_status st = f ? fmb_scene_of_doubles(&m.scene, f, n, mem, run)
+                      : fmb_scene_of_rationals(&m.scene, q, n, mem, run);
     if (st == FMB_OK)
         st = make_system(&m);
     fmb_scene_clear(&m.scene);

@@ -83,18 +83,17 @@ static void take_rational(mpz_t out, const void *frame, int i, int j, const mpz_
 /* The frames are described. */
 static fmb_status find_units(fmb_scene *w, fmb_run *run)
 {
-    fmb_status st = FMB_OK;
     w->unit = fmb_vec_block((size_t)w->dim, w->mem);
     if (!w->unit)
         return fmb_mem_status(w->mem);
-    for (int j = 0; st == FMB_OK && j < w->dim; j++) {
+    for (int j = 0; j < w->dim; j++) {
         mpz_set_ui(w->unit[j], 1);
         for (size_t k = 0; k < w->frames; k++)
             for (int i = 0; i < w->frame[k].rows; i++)
                 w->from->widen(w->unit[j], w->frame[k].source, i, j);
-        st = fmb_poll_if_limited(run);
+        FMB_TRY(fmb_poll_if_limited(run));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status open_scene(fmb_scene *w, int dim, size_t n, fmb_mem *mem,
@@ -121,20 +120,20 @@ fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_
                                 fmb_run *run)
 {
     static const fmb_number_source doubles = {widen_double, take_double};
-    fmb_status st = open_scene(w, f[0].dim, n, mem, &doubles);
-    for (size_t k = 0; st == FMB_OK && k < n; k++)
+    FMB_TRY(open_scene(w, f[0].dim, n, mem, &doubles));
+    for (size_t k = 0; k < n; k++)
         w->frame[k] = outline_of_frame(f[k].shape, f[k].naxes, f[k].speed != NULL, &f[k]);
-    return st == FMB_OK ? find_units(w, run) : st;
+    return find_units(w, run);
 }
 
 fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, fmb_mem *mem,
                                   fmb_run *run)
 {
     static const fmb_number_source rationals = {widen_rational, take_rational};
-    fmb_status st = open_scene(w, f[0].dim, n, mem, &rationals);
-    for (size_t k = 0; st == FMB_OK && k < n; k++)
+    FMB_TRY(open_scene(w, f[0].dim, n, mem, &rationals));
+    for (size_t k = 0; k < n; k++)
         w->frame[k] = outline_of_frame(f[k].shape, f[k].naxes, f[k].speed != NULL, &f[k]);
-    return st == FMB_OK ? find_units(w, run) : st;
+    return find_units(w, run);
 }
 
 void fmb_scene_clear(fmb_scene *w)

@@ -15,8 +15,8 @@ static fmb_status append_row(const fmb_maker *m, size_t n, fmb_rel rel)
     for (size_t k = 0; k <= n && mpz_cmp_ui(g, 1) != 0; k++)
         mpz_divexact(m->row[k], m->row[k], g);
     mpz_set_ui(m->row[n + 1], 1);
-    fmb_status st = fmb_system_append(m->s, n, m->var, m->row, rel);
-    return st == FMB_OK ? fmb_poll_if_limited(m->run) : st;
+    FMB_TRY(fmb_system_append(m->s, n, m->var, m->row, rel));
+    return fmb_poll_if_limited(m->run);
 }
 
 /* sign (the sum of n variables, numbered from `from`) REL bound */
@@ -35,14 +35,12 @@ static fmb_status bound_sum(const fmb_maker *m, int from, int n, int sign, fmb_r
 
 static fmb_status bound_variables(const fmb_maker *m, const fmb_integer_frame *f, int from)
 {
-    fmb_status st = FMB_OK;
-    for (int i = 0; st == FMB_OK && i < f->naxes; i++)
-        st = bound_sum(m, from + i, 1, -1, m->inside, 0);
-    for (int i = 0; st == FMB_OK && f->shape == FMB_CUBOID && i < f->naxes; i++)
-        st = bound_sum(m, from + i, 1, 1, m->inside, 1);
-    return st == FMB_OK && f->shape == FMB_SIMPLEX && f->naxes > 0
-               ? bound_sum(m, from, f->naxes, 1, m->inside, 1)
-               : st;
+    for (int i = 0; i < f->naxes; i++)
+        FMB_TRY(bound_sum(m, from + i, 1, -1, m->inside, 0));
+    for (int i = 0; f->shape == FMB_CUBOID && i < f->naxes; i++)
+        FMB_TRY(bound_sum(m, from + i, 1, 1, m->inside, 1));
+    return f->shape == FMB_SIMPLEX && f->naxes > 0 ? bound_sum(m, from, f->naxes, 1, m->inside, 1)
+                                                   : FMB_OK;
 }
 
 static void add_number(const fmb_maker *m, const fmb_integer_frame *f, int i, int j, int sign,
@@ -98,10 +96,10 @@ static fmb_status add_frame(const fmb_maker *m, size_t k, int from)
 {
     const fmb_integer_frame *f = &m->scene.frame[k];
     bool point = m->in == FMB_COORDINATES_ALL, meets = point || k > 0;
-    fmb_status st = bound_variables(m, f, from);
-    for (int j = 0; st == FMB_OK && m->in != FMB_COORDINATES_LAST && meets && j < m->dim; j++)
-        st = add_meeting_row(m, point ? NULL : &m->scene.frame[0], f, from, j);
-    return st;
+    FMB_TRY(bound_variables(m, f, from));
+    for (int j = 0; m->in != FMB_COORDINATES_LAST && meets && j < m->dim; j++)
+        FMB_TRY(add_meeting_row(m, point ? NULL : &m->scene.frame[0], f, from, j));
+    return FMB_OK;
 }
 
 /* ---- frames whose coordinates are solved for ------------------------------------------------- */
@@ -161,8 +159,7 @@ static void add_place(const fmb_maker *m, const fmb_integer_frame *f, int j, int
 static fmb_status add_solved(const fmb_maker *m, const fmb_integer_frame *f,
                              const fmb_integer_frame *last)
 {
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < m->dim; j++) {
+    for (int j = 0; j < m->dim; j++) {
         mpz_t *r = line_of_table(m, j), *form = r + f->naxes;
         for (int k = 0; k < m->width; k++)
             mpz_set_ui(r[k], 0);
@@ -175,15 +172,13 @@ static fmb_status add_solved(const fmb_maker *m, const fmb_integer_frame *f,
         else
             mpz_set(form[j], m->scene.unit[j]);
         add_place(m, f, j, -1, form);
-        st = fmb_poll_if_limited(m->run);
+        FMB_TRY(fmb_poll_if_limited(m->run));
     }
-    if (st == FMB_OK)
-        st = fmb_jordan(m->table, m->dim, m->width, f->naxes, m->scale[0], m->run);
-    if (st == FMB_OK)
-        st = bound_solved(m, f);
-    for (int i = f->naxes; st == FMB_OK && i < m->dim; i++)
-        st = append_form(m, line_of_table(m, i) + f->naxes, 1, FMB_EQ, NULL);
-    return st;
+    FMB_TRY(fmb_jordan(m->table, m->dim, m->width, f->naxes, m->scale[0], m->run));
+    FMB_TRY(bound_solved(m, f));
+    for (int i = f->naxes; i < m->dim; i++)
+        FMB_TRY(append_form(m, line_of_table(m, i) + f->naxes, 1, FMB_EQ, NULL));
+    return FMB_OK;
 }
 
 /* ---- all ------------------------------------------------------------------------------------- */
@@ -193,14 +188,13 @@ fmb_status fmb_maker_rows(const fmb_maker *m)
     const fmb_integer_frame *frame = m->scene.frame, *end = frame + m->scene.frames;
     const fmb_integer_frame *last = m->in == FMB_COORDINATES_LAST ? end - 1 : NULL;
     bool each = m->in == FMB_COORDINATES_EACH, all = m->in == FMB_COORDINATES_ALL;
-    fmb_status st = FMB_OK;
     int from = all ? m->dim : 0;
-    for (const fmb_integer_frame *f = frame; st == FMB_OK && f < end; f++) {
+    for (const fmb_integer_frame *f = frame; f < end; f++) {
         bool is_solved = !each && !all && f != last;
-        st = is_solved ? add_solved(m, f, last) : add_frame(m, (size_t)(f - frame), from);
+        FMB_TRY(is_solved ? add_solved(m, f, last) : add_frame(m, (size_t)(f - frame), from));
         from += is_solved ? 0 : f->naxes;
     }
-    if (st == FMB_OK && m->time >= 0)
-        st = bound_sum(m, m->time, 1, -1, FMB_LE, 0);
-    return st == FMB_OK && m->time >= 0 ? bound_sum(m, m->time, 1, 1, FMB_LE, 1) : st;
+    if (m->time >= 0)
+        FMB_TRY(bound_sum(m, m->time, 1, -1, FMB_LE, 0));
+    return m->time >= 0 ? bound_sum(m, m->time, 1, 1, FMB_LE, 1) : FMB_OK;
 }

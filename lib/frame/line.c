@@ -22,11 +22,11 @@ static fmb_status start_from_frames(const fmb_frame_line *line, fmb_coordinates 
 static fmb_status add_rows_of_polytope(fmb_system *s, const fmb_system *rows, fmb_contact contact)
 {
     size_t before = s->rows;
-    fmb_status st = fmb_system_join(s, rows, NULL);
-    for (size_t i = before; st == FMB_OK && contact == FMB_CONTACT_OPEN && i < s->rows; i++)
+    FMB_TRY(fmb_system_join(s, rows, NULL));
+    for (size_t i = before; contact == FMB_CONTACT_OPEN && i < s->rows; i++)
         if (s->row[i].rel == FMB_LE)
             s->row[i].rel = FMB_LT;
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status make_system_of_line(const fmb_frame_line *line, fmb_coordinates in,

@@ -182,15 +182,13 @@ static bool says_nothing(const codec *by, const fmb_system *s)
 static fmb_status read_with_codec(fmb_cursor *c, fmb_system *s)
 {
     const codec *by = find_codec(c->how->format);
-    fmb_status st = fmb_io_check(c);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_io_check(c));
     if (!by)
         by = guess_codec(c);
-    st = by->read(c, s);
-    if (st == FMB_OK && says_nothing(by, s))
-        st = fmb_io_fail(c, NULL, "expected rows or variables, found none");
-    return st;
+    FMB_TRY(by->read(c, s));
+    if (says_nothing(by, s))
+        return fmb_io_fail(c, NULL, "expected rows or variables, found none");
+    return FMB_OK;
 }
 
 static fmb_status parse_with_codec(fmb_cursor *c, void *out)
@@ -209,20 +207,20 @@ static fmb_status parse_with_codec(fmb_cursor *c, void *out)
 static fmb_status take_arguments(const fmb_reader *how, fmb_reader *ours, fmb_system **out,
                                  fmb_where *where)
 {
-    fmb_status st = fmb_io_take_reader(how, ours, where);
-    if (st == FMB_OK && !out)
-        st = fmb_io_refuse_argument(where, "out is NULL");
-    if (st == FMB_OK && ours->format != FMB_FORMAT_AUTO && !find_codec(ours->format))
-        st = fmb_io_refuse_argument(where, "how->format is no fmb_format");
-    return st;
+    FMB_TRY(fmb_io_take_reader(how, ours, where));
+    if (!out)
+        FMB_TRY(fmb_io_refuse_argument(where, "out is NULL"));
+    if (ours->format != FMB_FORMAT_AUTO && !find_codec(ours->format))
+        FMB_TRY(fmb_io_refuse_argument(where, "how->format is no fmb_format"));
+    return FMB_OK;
 }
 
 fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
                             fmb_where *where)
 {
     fmb_reader reader;
-    fmb_status st = take_arguments(how, &reader, out, where);
-    return st == FMB_OK ? fmb_parse_memory(text, size, &reader, parse_with_codec, out, where) : st;
+    FMB_TRY(take_arguments(how, &reader, out, where));
+    return fmb_parse_memory(text, size, &reader, parse_with_codec, out, where);
 }
 
 /* ---- streams --------------------------------------------------------------------------------- */
@@ -230,8 +228,8 @@ fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how
 fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out, fmb_where *where)
 {
     fmb_reader reader;
-    fmb_status st = take_arguments(how, &reader, out, where);
-    return st == FMB_OK ? fmb_parse_stream(in, &reader, parse_with_codec, out, where) : st;
+    FMB_TRY(take_arguments(how, &reader, out, where));
+    return fmb_parse_stream(in, &reader, parse_with_codec, out, where);
 }
 
 fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out)
@@ -239,10 +237,8 @@ fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out)
     const codec *by = find_codec(f);
     if (!s || !out || !by || !by->write)
         return FMB_ERR_ARG;
-    fmb_status st = by->write(s, out);
-    if (st == FMB_OK && (fflush(out) != 0 || ferror(out)))
-        st = FMB_ERR_IO;
-    return st;
+    FMB_TRY(by->write(s, out));
+    return fflush(out) != 0 || ferror(out) ? FMB_ERR_IO : FMB_OK;
 }
 
 typedef struct system_as {
@@ -277,13 +273,11 @@ static fmb_status parse_polyhedron(fmb_cursor *c, void *self)
     fmb_format f = c->how->format;
     size_t size = (size_t)(c->end - c->begin);
     bool is_v = (f == FMB_FORMAT_AUTO || f == FMB_FORMAT_INE) && sniffs_generators(c);
-    fmb_status st = is_v ? fmb_generators_parse(c->begin, size, c->how, &generators, c->where)
-                         : fmb_system_parse(c->begin, size, c->how, &rows, c->where);
-    if (st == FMB_OK) {
-        *p->s = rows;
-        *p->g = generators;
-    }
-    return st;
+    FMB_TRY(is_v ? fmb_generators_parse(c->begin, size, c->how, &generators, c->where)
+                 : fmb_system_parse(c->begin, size, c->how, &rows, c->where));
+    *p->s = rows;
+    *p->g = generators;
+    return FMB_OK;
 }
 
 fmb_status fmb_polyhedron_parse(const char *text, size_t size, const fmb_reader *how,

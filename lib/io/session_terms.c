@@ -15,10 +15,8 @@ static fmb_status read_numbers_for_session(fmb_solver *v, size_t n, const int *v
         return FMB_ERR_ARG;
     if (!fmb_solver_system(v))
         return FMB_ERR_STATE;
-    fmb_status st = fmb_rationals_new(out, n + 1, &v->mem);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_io_row_numbers(n, var, coef, b, &v->mem, *out, wrong);
+    FMB_TRY(fmb_rationals_new(out, n + 1, &v->mem));
+    fmb_status st = fmb_io_row_numbers(n, var, coef, b, &v->mem, *out, wrong);
     if (st == FMB_OK)
         return FMB_OK;
     fmb_rationals_free(*out, n + 1, &v->mem);
@@ -29,10 +27,8 @@ fmb_status fmb_solver_add_terms_text(fmb_solver *v, size_t n, const int *var,
                                      const char *const *coef, fmb_rel rel, const char *b)
 {
     mpq_t *q;
-    fmb_status st = read_numbers_for_session(v, n, var, coef, b, &q);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_solver_add_q(v, n, var, q, rel, q[n]);
+    FMB_TRY(read_numbers_for_session(v, n, var, coef, b, &q));
+    fmb_status st = fmb_solver_add_q(v, n, var, q, rel, q[n]);
     fmb_rationals_free(q, n + 1, &v->mem);
     return st;
 }
@@ -40,10 +36,8 @@ fmb_status fmb_solver_add_terms_text(fmb_solver *v, size_t n, const int *var,
 fmb_status fmb_solver_set_right_text(fmb_solver *v, size_t row, const char *b)
 {
     mpq_t *q;
-    fmb_status st = read_numbers_for_session(v, 0, NULL, NULL, b, &q);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_solver_set_right_q(v, row, q[0]);
+    FMB_TRY(read_numbers_for_session(v, 0, NULL, NULL, b, &q));
+    fmb_status st = fmb_solver_set_right_q(v, row, q[0]);
     fmb_rationals_free(q, 1, &v->mem);
     return st;
 }

@@ -17,12 +17,9 @@ typedef struct row_of_text {
 
 static fmb_status read_whole_number(fmb_cursor *c, mpq_t out)
 {
-    fmb_status st = fmb_io_check(c);
-    if (st == FMB_OK)
-        st = fmb_scan_number(c, FMB_NUM_ALL, "a number", out);
-    if (st == FMB_OK && c->at < c->end)
-        st = fmb_io_expected(c, c->at, "the end of the number");
-    return st;
+    FMB_TRY(fmb_io_check(c));
+    FMB_TRY(fmb_scan_number(c, FMB_NUM_ALL, "a number", out));
+    return c->at < c->end ? fmb_io_expected(c, c->at, "the end of the number") : FMB_OK;
 }
 
 /* The number that a text is, with nothing around it; name says which one it is. */
@@ -47,14 +44,12 @@ static fmb_status read_coefficient(row_of_text *r, size_t k, const char *text, m
 
 static fmb_status read_terms(row_of_text *r, size_t n, const int *var, const char *const *coef)
 {
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < n; k++) {
+    for (size_t k = 0; k < n; k++) {
         mpq_ptr slot;
-        st = fmb_draft_term(&r->draft, var[k], &slot);
-        if (st == FMB_OK)
-            st = read_coefficient(r, k, coef[k], slot);
+        FMB_TRY(fmb_draft_term(&r->draft, var[k], &slot));
+        FMB_TRY(read_coefficient(r, k, coef[k], slot));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Which of the pointers is NULL that must not be; "" if none is. */

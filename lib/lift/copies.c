@@ -17,17 +17,15 @@ int fmb_lift_dim(const fmb_system *s)
 
 fmb_status fmb_lift_add_answer(fmb_system *lift, const fmb_system *s)
 {
-    fmb_status st = FMB_OK;
     lift->asks_projection = true;
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(s); j++) {
+    for (int j = 0; j < fmb_system_dim(s); j++) {
         int index;
         if (!fmb_system_keeps(s, j))
             continue;
-        st = fmb_system_add_variable(lift, fmb_system_name(s, j), &index);
-        if (st == FMB_OK)
-            fmb_system_set_kept(lift, index, true);
+        FMB_TRY(fmb_system_add_variable(lift, fmb_system_name(s, j), &index));
+        fmb_system_set_kept(lift, index, true);
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_lift_add_fresh(fmb_system *lift, const char *name, size_t k, int *index)
@@ -46,10 +44,9 @@ fmb_status fmb_lift_add_fresh(fmb_system *lift, const char *name, size_t k, int 
 
 fmb_status fmb_lift_add_copies(fmb_system *lift, const fmb_system *s, size_t k, int *copy)
 {
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(s); j++)
-        st = fmb_lift_add_fresh(lift, fmb_system_name(s, j), k, &copy[j]);
-    return st;
+    for (int j = 0; j < fmb_system_dim(s); j++)
+        FMB_TRY(fmb_lift_add_fresh(lift, fmb_system_name(s, j), k, &copy[j]));
+    return FMB_OK;
 }
 
 /* Numbers are equal, and the names in s distinct: so if each is one of like, all are. */
@@ -72,13 +69,13 @@ static fmb_status match_names(fmb_system *lift, const fmb_system *like, const fm
 
 fmb_status fmb_lift_match(fmb_system *lift, const fmb_system *const *s, size_t n)
 {
-    fmb_status st = n > 0 && s ? FMB_OK : fmb_system_refuse(lift, "expected at least one system");
-    for (size_t k = 0; st == FMB_OK && k < n; k++)
+    FMB_TRY(n > 0 && s ? FMB_OK : fmb_system_refuse(lift, "expected at least one system"));
+    for (size_t k = 0; k < n; k++)
         if (!s[k])
-            st = fmb_system_refuse(lift, "s[%zu] is NULL", k);
-    for (size_t k = 1; st == FMB_OK && k < n; k++)
-        st = match_names(lift, s[0], s[k], k);
-    return st;
+            FMB_TRY(fmb_system_refuse(lift, "s[%zu] is NULL", k));
+    for (size_t k = 1; k < n; k++)
+        FMB_TRY(match_names(lift, s[0], s[k], k));
+    return FMB_OK;
 }
 
 /* ---- of several ------------------------------------------------------------------------------ */

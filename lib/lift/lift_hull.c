@@ -74,35 +74,32 @@ static fmb_status append_nonnegative(lifted_row *r, fmb_system *lift, int var)
 static fmb_status append_weighted_rows(lifted_row *r, fmb_system *lift, const fmb_system *s,
                                        const int *copy, int weight)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++) {
+    for (size_t i = 0; i < fmb_system_rows(s); i++) {
         const fmb_sysrow *from = fmb_system_row(s, i);
         for (size_t k = 0; k < from->nnz; k++)
             fmb_sysrow_get_q(from, k, next_term(r, copy[from->var[k]]));
         mpq_ptr right = next_term(r, weight);
         fmb_sysrow_get_q(from, from->nnz, right);
         mpq_neg(right, right);
-        st = append_lifted_row(r, lift, from->rel == FMB_EQ ? FMB_EQ : FMB_LE);
-        if (st == FMB_OK && from->label)
-            st = fmb_system_set_label(lift, lift->rows - 1, from->label);
+        FMB_TRY(append_lifted_row(r, lift, from->rel == FMB_EQ ? FMB_EQ : FMB_LE));
+        if (from->label)
+            FMB_TRY(fmb_system_set_label(lift, lift->rows - 1, from->label));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status append_weighted_systems(const fmb_lift_copies *c, fmb_system *lift, lifted_row *r,
                                           int *weight)
 {
-    fmb_status st = fmb_lift_append_sums(c, lift);
-    for (size_t k = 0; st == FMB_OK && k < c->n; k++)
-        st = fmb_lift_add_fresh(lift, "t", k + 1, &weight[k]);
-    if (st == FMB_OK)
-        st = append_total(r, lift, weight, c->n);
-    for (size_t k = 0; st == FMB_OK && k < c->n; k++) {
-        st = append_nonnegative(r, lift, weight[k]);
-        if (st == FMB_OK)
-            st = append_weighted_rows(r, lift, c->s[k], c->var[k], weight[k]);
+    FMB_TRY(fmb_lift_append_sums(c, lift));
+    for (size_t k = 0; k < c->n; k++)
+        FMB_TRY(fmb_lift_add_fresh(lift, "t", k + 1, &weight[k]));
+    FMB_TRY(append_total(r, lift, weight, c->n));
+    for (size_t k = 0; k < c->n; k++) {
+        FMB_TRY(append_nonnegative(r, lift, weight[k]));
+        FMB_TRY(append_weighted_rows(r, lift, c->s[k], c->var[k], weight[k]));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Of none this is the row 0 = 1, and so empty. */
@@ -145,16 +142,15 @@ static fmb_status append_combination(lifted_row *r, fmb_system *lift, const fmb_
                                      const int *weight, int *vertex)
 {
     size_t vertices = 0;
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < fmb_generators_dim(g); j++)
-        st = append_coordinate(r, lift, g, j, weight);
-    for (size_t i = 0; st == FMB_OK && i < fmb_generators_size(g); i++) {
+    for (int j = 0; j < fmb_generators_dim(g); j++)
+        FMB_TRY(append_coordinate(r, lift, g, j, weight));
+    for (size_t i = 0; i < fmb_generators_size(g); i++) {
         if (fmb_generators_kind(g, i) == FMB_VERTEX)
             vertex[vertices++] = weight[i];
         if (fmb_generators_kind(g, i) != FMB_LINE)
-            st = append_nonnegative(r, lift, weight[i]);
+            FMB_TRY(append_nonnegative(r, lift, weight[i]));
     }
-    return st == FMB_OK ? append_total(r, lift, vertex, vertices) : st;
+    return append_total(r, lift, vertex, vertices);
 }
 
 static fmb_status lift_generators(fmb_system *lift, const fmb_generators *g, const fmb_system *like)

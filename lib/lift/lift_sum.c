@@ -11,15 +11,13 @@
 fmb_status fmb_lift_add_answer_of_graph(fmb_system *lift, const fmb_system *s,
                                         const fmb_system *graph)
 {
-    fmb_status st = FMB_OK;
     lift->asks_projection = true;
-    for (int i = fmb_lift_dim(s); st == FMB_OK && i < fmb_system_dim(graph); i++) {
+    for (int i = fmb_lift_dim(s); i < fmb_system_dim(graph); i++) {
         int index;
-        st = fmb_system_add_variable(lift, fmb_system_name(graph, i), &index);
-        if (st == FMB_OK)
-            fmb_system_set_kept(lift, index, true);
+        FMB_TRY(fmb_system_add_variable(lift, fmb_system_name(graph, i), &index));
+        fmb_system_set_kept(lift, index, true);
     }
-    return st;
+    return FMB_OK;
 }
 
 /* var[dim of graph], copy[dim of s] */

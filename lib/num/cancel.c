@@ -59,10 +59,10 @@ static fmb_status cancel_in_128_bits(fmb_vec *dst, const fmb_vec *a, const fmb_v
             w[i] = fmb_i128_quotient(w[i], fmb_i128_of_u128(g));
         all = fmb_u128_or(all, fmb_i128_size(w[i]));
     }
-    fmb_status st = store_scratch(dst, n, k, all);
-    if (st == FMB_OK && !dst->z)
+    FMB_TRY(store_scratch(dst, n, k, all));
+    if (!dst->z)
         fmb_vec_measure(dst, n);
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status cancel_in_int64(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
@@ -131,25 +131,20 @@ static fmb_status cancel_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b
 {
     fmb_vec_get(a, c, k->q);
     fmb_vec_get(b, c, k->p);
-    fmb_status st = fmb_long_gcd(k->t, k->p, k->q, &k->poll);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_long_gcd(k->t, k->p, k->q, &k->poll));
     mpz_divexact(k->p, k->p, k->t);
     mpz_divexact(k->q, k->q, k->t);
     if (mpz_sgn(k->p) < 0)
         mpz_neg(k->p, k->p);
     else
         mpz_neg(k->q, k->q);
-    st = combine_in_gmp(dst, a, b, n, k);
-    return st == FMB_OK ? fmb_vec_reduce(dst, n, k) : st;
+    FMB_TRY(combine_in_gmp(dst, a, b, n, k));
+    return fmb_vec_reduce(dst, n, k);
 }
 
 fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
                           fmb_num *k)
 {
-    fmb_status st =
-        a->z || b->z ? cancel_in_gmp(dst, a, b, n, c, k) : cancel_in_int64(dst, a, b, n, c, k);
-    if (st == FMB_OK && k->wide_only)
-        st = fmb_vec_widen(dst, n, k->mem);
-    return st;
+    FMB_TRY(a->z || b->z ? cancel_in_gmp(dst, a, b, n, c, k) : cancel_in_int64(dst, a, b, n, c, k));
+    return k->wide_only ? fmb_vec_widen(dst, n, k->mem) : FMB_OK;
 }

@@ -50,13 +50,10 @@ fmb_status fmb_integers_cancel(mpz_t *x, size_t n, mpz_t den, const fmb_poll *po
 
 fmb_status fmb_integers_reduce(mpz_t *z, size_t n, mpz_t divisor, const fmb_poll *poll)
 {
-    fmb_status st = FMB_OK;
     mpz_set_ui(divisor, 0);
-    for (size_t j = 0; st == FMB_OK && j < n && mpz_cmp_ui(divisor, 1) != 0; j++)
+    for (size_t j = 0; j < n && mpz_cmp_ui(divisor, 1) != 0; j++)
         if (mpz_sgn(z[j]) != 0)
-            st = fmb_long_gcd(divisor, divisor, z[j], poll);
-    if (st != FMB_OK)
-        return st;
+            FMB_TRY(fmb_long_gcd(divisor, divisor, z[j], poll));
     if (mpz_sgn(divisor) == 0)
         mpz_set_ui(divisor, 1);
     for (size_t j = 0; j < n && mpz_cmp_ui(divisor, 1) != 0; j++)

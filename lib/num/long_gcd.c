@@ -20,6 +20,7 @@
  * Source: Moeller 2008, On Schoenhage's algorithm and subquadratic integer gcd computation,
  * Mathematics of Computation 77; Lehmer 1938 for the words.
  */
+#include "base/mem.h"
 #include "num/gcd.h"
 
 #include <stdbool.h>
@@ -216,9 +217,7 @@ static fmb_status multiply_pair(half_gcd *h, const transform *m, mpz_t a, mpz_t 
         mpz_fdiv_r_2exp(b, b, bits);
     }
     combine(h->s[0], m->at[0][0], a, m->at[0][1], b);
-    fmb_status st = bits_of(a) > FMB_LONG_BITS ? fmb_poll_ask(h->poll) : FMB_OK;
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(bits_of(a) > FMB_LONG_BITS ? fmb_poll_ask(h->poll) : FMB_OK);
     combine(h->s[1], m->at[1][0], a, m->at[1][1], b);
     mpz_swap(a, h->s[0]);
     mpz_swap(b, h->s[1]);
@@ -232,8 +231,8 @@ static fmb_status multiply_pair(half_gcd *h, const transform *m, mpz_t a, mpz_t 
 /* m = by m */
 static fmb_status multiply_matrix(half_gcd *h, const transform *by, transform *m)
 {
-    fmb_status st = multiply_pair(h, by, m->at[0][0], m->at[1][0], 0);
-    return st == FMB_OK ? multiply_pair(h, by, m->at[0][1], m->at[1][1], 0) : st;
+    FMB_TRY(multiply_pair(h, by, m->at[0][0], m->at[1][0], 0));
+    return multiply_pair(h, by, m->at[0][1], m->at[1][1], 0);
 }
 
 static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b);
@@ -268,15 +267,10 @@ static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b)
         halve_wordwise(h, m, a, b);
         return FMB_OK;
     }
-    fmb_status st = n > MOMENT_BITS ? fmb_poll_ask(h->poll) : FMB_OK;
-    if (st == FMB_OK)
-        st = halve_leading_bits(h, m, a, b, n - half);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(n > MOMENT_BITS ? fmb_poll_ask(h->poll) : FMB_OK);
+    FMB_TRY(halve_leading_bits(h, m, a, b, n - half));
     size_t t = longest_entry(m), left = half > 2 * t ? half - t : t;
-    st = multiply_pair(h, m, a, b, left + (n - half) + SPARE_BITS);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(multiply_pair(h, m, a, b, left + (n - half) + SPARE_BITS));
     put_in_order(m, a, b);
     t += bits_of(a) - bits_of(b);
     if (mpz_sgn(b) == 0 || t >= half)
@@ -317,15 +311,14 @@ static fmb_status shorten(half_gcd *h, mpz_t a, mpz_t b)
 
 static fmb_status reduce_long_pair(half_gcd *h, mpz_t a, mpz_t b)
 {
-    fmb_status st = FMB_OK;
-    while (st == FMB_OK && bits_of(b) > FMB_LONG_BITS) {
+    while (bits_of(b) > FMB_LONG_BITS) {
         mpz_tdiv_r(a, a, b);
         mpz_swap(a, b);
-        st = fmb_poll_ask(h->poll);
-        if (st == FMB_OK && mpz_sgn(b) != 0)
-            st = shorten(h, a, b);
+        FMB_TRY(fmb_poll_ask(h->poll));
+        if (mpz_sgn(b) != 0)
+            FMB_TRY(shorten(h, a, b));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_long_gcd(mpz_t out, const mpz_t a, const mpz_t b, const fmb_poll *poll)

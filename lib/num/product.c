@@ -38,9 +38,7 @@ fmb_status fmb_vec_set_product(fmb_vec *v, size_t n, size_t width, const fmb_vec
             return FMB_OK;
         }
     }
-    fmb_status st = fmb_vec_widen(v, width, k->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_vec_widen(v, width, k->mem));
     mpz_set_ui(v->z[n], 0);
     for (size_t j = 0; j < n; j++) {
         fmb_vec_get(row, j, k->t);

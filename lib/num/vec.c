@@ -210,11 +210,10 @@ void fmb_vec_reduce_small(fmb_vec *v, size_t n)
 /* k->t = the content of a wide vec, 0 of zeros. */
 static fmb_status content_of_wide(const fmb_vec *v, size_t n, fmb_num *k)
 {
-    fmb_status st = FMB_OK;
     mpz_set_ui(k->t, 0);
-    for (size_t i = 0; st == FMB_OK && i < n && mpz_cmp_ui(k->t, 1) != 0; i++)
-        st = fmb_long_gcd(k->t, k->t, v->z[i], &k->poll);
-    return st;
+    for (size_t i = 0; i < n && mpz_cmp_ui(k->t, 1) != 0; i++)
+        FMB_TRY(fmb_long_gcd(k->t, k->t, v->z[i], &k->poll));
+    return FMB_OK;
 }
 
 /* A wide vec over k->t. By a long divisor that is done beside it, and it stays as it was where that
@@ -246,11 +245,8 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
         return k->wide_only ? fmb_vec_widen(v, n, k->mem) : FMB_OK;
     }
     size_t bits = 0;
-    fmb_status st = content_of_wide(v, n, k);
-    if (st == FMB_OK)
-        st = divide_wide(v, n, k);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(content_of_wide(v, n, k));
+    FMB_TRY(divide_wide(v, n, k));
     for (size_t i = 0; i < n; i++) {
         size_t b = mpz_sizeinbase(v->z[i], 2);
         bits = b > bits ? b : bits;

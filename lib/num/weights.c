@@ -3,13 +3,10 @@
 
 fmb_status fmb_weights_add(fmb_weights *w, uint32_t row, const mpq_t value, fmb_mem *mem)
 {
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&w->index, &w->index_capacity, w->size + 1, sizeof *w->index);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&w->value, &w->value_capacity, w->size + 1,
-                             sizeof *w->value);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&w->index, &w->index_capacity, w->size + 1,
+                            sizeof *w->index));
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&w->value, &w->value_capacity, w->size + 1,
+                            sizeof *w->value));
     mpq_init(w->value[w->size]);
     mpq_set(w->value[w->size], value);
     w->index[w->size++] = row;
@@ -18,10 +15,9 @@ fmb_status fmb_weights_add(fmb_weights *w, uint32_t row, const mpq_t value, fmb_
 
 fmb_status fmb_weights_append(fmb_weights *w, const fmb_weights *from, fmb_mem *mem)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < from->size; i++)
-        st = fmb_weights_add(w, from->index[i], from->value[i], mem);
-    return st;
+    for (size_t i = 0; i < from->size; i++)
+        FMB_TRY(fmb_weights_add(w, from->index[i], from->value[i], mem));
+    return FMB_OK;
 }
 
 void fmb_weights_clear(fmb_weights *w, fmb_mem *mem)

@@ -22,16 +22,15 @@ static int count_threads_of_pairs(const fmb_pair_options *o)
 static fmb_status hire_workers(fmb_pair *k, const fmb_alloc *hook)
 {
     fmb_pair_options o = k->options;
-    fmb_status st = FMB_OK;
     o.threads = 1;
     if (k->threads == 1)
         return FMB_OK;
     k->workers = fmb_mem_zero(&k->mem, (size_t)k->threads - 1, sizeof *k->workers);
     if (!k->workers)
         return fmb_mem_status(&k->mem);
-    for (int i = 0; st == FMB_OK && i < k->threads - 1; i++)
-        st = fmb_pair_new(k->dim, &o, hook, &k->workers[i]);
-    return st;
+    for (int i = 0; i < k->threads - 1; i++)
+        FMB_TRY(fmb_pair_new(k->dim, &o, hook, &k->workers[i]));
+    return FMB_OK;
 }
 
 static void dismiss_workers(fmb_pair *k)

@@ -154,14 +154,13 @@ fmb_status fmb_contact_answer_apart(fmb_pair *k, const fmb_frame *p, const fmb_f
                                     fmb_pair_near *near, const fmb_pair_answers *out)
 {
     fmb_pair_near own;
-    fmb_status st = FMB_OK;
     if (!near || asks_exact_contacts(k)) {
         near = &own;
         if (asks_exact_contacts(k) || !fmb_contact_distance(p, q, near))
-            st = tell_exactly(k, p, q, out->verdict, near);
+            FMB_TRY(tell_exactly(k, p, q, out->verdict, near));
     }
-    if (st != FMB_OK || *out->verdict != FMB_INFEASIBLE)
-        return st;
+    if (*out->verdict != FMB_INFEASIBLE)
+        return FMB_OK;
     if (out->distance)
         *out->distance = near->length;
     for (int j = 0; j < k->dim; j++) {
@@ -180,11 +179,10 @@ static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answ
 {
     const fmb_frame *p = &x->p[i], *q = &x->q[i];
     fmb_pair_near *near = &x->near[i];
-    fmb_status st = FMB_OK;
     if (fmb_contact_asks_depth(out) && (!x->good[i] || asks_exact_contacts(x->k)))
-        st = tell_exactly(x->k, p, q, out->verdict, near);
-    if (st != FMB_OK || *out->verdict != FMB_FEASIBLE)
-        return st;
+        FMB_TRY(tell_exactly(x->k, p, q, out->verdict, near));
+    if (*out->verdict != FMB_FEASIBLE)
+        return FMB_OK;
     if (fmb_contact_asks_depth(out))
         fmb_contact_write(p, q, near->length, near->normal, out);
     if (out->distance)
@@ -195,16 +193,15 @@ static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answ
 static fmb_status answer_contact_of_pair(contact_query *x, size_t i, const fmb_pair_answers *out)
 {
     bool more = fmb_pair_answers_more(out);
-    fmb_status st = FMB_OK;
     *out->verdict = x->verdict[i];
     if (x->verdict[i] == FMB_UNKNOWN || (more && x->verdict[i] == FMB_FEASIBLE))
-        st = fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], true, out);
-    if (st == FMB_OK && *out->verdict == FMB_FEASIBLE)
-        st = answer_contact(x, i, out);
-    else if (st == FMB_OK && *out->verdict == FMB_INFEASIBLE && fmb_contact_asks_distance(out))
-        st = fmb_contact_answer_apart(x->k, &x->p[i], &x->q[i], x->good[i] ? &x->near[i] : NULL,
-                                      out);
-    return st;
+        FMB_TRY(fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], true, out));
+    if (*out->verdict == FMB_FEASIBLE)
+        FMB_TRY(answer_contact(x, i, out));
+    else if (*out->verdict == FMB_INFEASIBLE && fmb_contact_asks_distance(out))
+        FMB_TRY(fmb_contact_answer_apart(x->k, &x->p[i], &x->q[i], x->good[i] ? &x->near[i] : NULL,
+                                         out));
+    return FMB_OK;
 }
 
 /* Say what is wrong with pair i, number `number` of the call. */
@@ -233,8 +230,7 @@ fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, con
                  k->dim);
         return FMB_ERR_ARG;
     }
-    fmb_status st = FMB_OK;
-    for (size_t from = 0; st == FMB_OK && from < n; from += CONTACTS_AT_ONCE) {
+    for (size_t from = 0; from < n; from += CONTACTS_AT_ONCE) {
         x.p = p + from;
         x.q = q + from;
         x.n = n - from < CONTACTS_AT_ONCE ? n - from : CONTACTS_AT_ONCE;
@@ -243,12 +239,12 @@ fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, con
                 return FMB_ERR_ARG;
         if (!fmb_pair_is_cancelled(k))
             ask_kernels(&x);
-        for (size_t i = 0; st == FMB_OK && i < x.n; i++) {
+        for (size_t i = 0; i < x.n; i++) {
             fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, from + i);
             *some.verdict = FMB_UNKNOWN;
             if (!fmb_pair_is_cancelled(k))
-                st = answer_contact_of_pair(&x, i, &some);
+                FMB_TRY(answer_contact_of_pair(&x, i, &some));
         }
     }
-    return st;
+    return FMB_OK;
 }

@@ -91,8 +91,8 @@ static fmb_status decide_exactly(const query *a, size_t i)
     if (!asks_exactly(a))
         return FMB_OK;
     a->k->counts.exact_verdicts++;
-    fmb_status st = fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out);
-    return st == FMB_OK && *out == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : st;
+    FMB_TRY(fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out));
+    return *out == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : FMB_OK;
 }
 
 /* Say what is wrong with pair i. */
@@ -247,39 +247,37 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
     fmb_pair_bits bits = verdict_kernel(a, kind)(b->number);
     unsigned boxed = a->boxes ? bits.meet & ~bits.apart & lanes_taken(b) : 0;
     bool stay = 2 * __builtin_popcount(boxed) > b->lanes && kernel_of_boxes(a, STAGE_BOX, kind);
-    fmb_status st = FMB_OK;
-    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
+    for (int lane = 0; lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         fmb_way_answered(FMB_WAY_PAIR_KERNELS, (bits.apart | bits.meet) >> lane & 1);
         if (bits.apart >> lane & 1) {
             a->out->verdict[i] = FMB_INFEASIBLE;
         } else if (bits.meet >> lane & 1) {
             a->out->verdict[i] = FMB_FEASIBLE;
-            st = a->boxes && !stay ? find_box_from_stage(a, STAGE_BOX, kind, i) : FMB_OK;
+            FMB_TRY(a->boxes && !stay ? find_box_from_stage(a, STAGE_BOX, kind, i) : FMB_OK);
         } else {
-            st = decide_generally(a, STAGE_BOX, kind, i);
+            FMB_TRY(decide_generally(a, STAGE_BOX, kind, i));
         }
     }
-    return st == FMB_OK && stay ? find_boxes_of_lanes(a, b, STAGE_BOX, kind, boxed) : st;
+    return stay ? find_boxes_of_lanes(a, b, STAGE_BOX, kind, boxed) : FMB_OK;
 }
 
 /* The same of the block of frames with any number of axes. */
 static fmb_status flush_flat_verdicts(const query *a, const fmb_block *b)
 {
     fmb_pair_bits bits = a->kernels->packed->flat[a->k->dim - 2](&a->k->flat, b->number);
-    fmb_status st = FMB_OK;
-    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
+    for (int lane = 0; lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         bool meet = bits.meet >> lane & 1, apart = bits.apart >> lane & 1;
         fmb_way_answered(FMB_WAY_PAIR_FLAT, meet || apart);
         if (meet || apart)
             a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
         if (!meet && !apart)
-            st = decide_generally(a, STAGES, 0, i);
+            FMB_TRY(decide_generally(a, STAGES, 0, i));
         else if (meet && a->boxes)
-            st = answer_generally(a, i);
+            FMB_TRY(answer_generally(a, i));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* And edges that are doubles. */
@@ -409,13 +407,12 @@ enum { PAIRS_AT_ONCE = 256 };
 /* Pairs from `from` up to but without `to`. */
 static fmb_status answer_some(const query *a, size_t from, size_t to, size_t n)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = from; st == FMB_OK && i < to; i++) {
+    for (size_t i = from; i < to; i++) {
         if (i + AHEAD < n)
             prefetch_frames(&a->p[i + AHEAD], &a->q[i + AHEAD]);
-        st = answer_or_wait(a, i);
+        FMB_TRY(answer_or_wait(a, i));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,

@@ -55,16 +55,14 @@ static bool is_said(const matching *m, const fmb_claim *c)
 /* a and b become coprime in a, and the factor of b is put behind it. */
 static fmb_status settle_said_row(matching *m, fmb_integers *z)
 {
-    fmb_status st = fmb_integers_reduce(z->z, m->k, z->z[m->k + 1], m->of->poll);
-    return st == FMB_OK ? fmb_integers_settle(z, m->mem) : st;
+    FMB_TRY(fmb_integers_reduce(z->z, m->k, z->z[m->k + 1], m->of->poll));
+    return fmb_integers_settle(z, m->mem);
 }
 
 /* sign times the claim's row, as said above. */
 static fmb_status write_said_row(matching *m, const fmb_claim *c, int sign, fmb_integers *z)
 {
-    fmb_status st = fmb_integers_init(z, m->k + 2, m->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_init(z, m->k + 2, m->mem));
     mpz_set(m->p, mpq_denref(c->value));
     for (size_t i = 0; i < c->terms.size; i++)
         mpz_lcm(m->p, m->p, mpq_denref(c->terms.value[i]));
@@ -81,14 +79,11 @@ static fmb_status write_said_row(matching *m, const fmb_claim *c, int sign, fmb_
 
 static fmb_status add_said_row(matching *m, const fmb_claim *c, int sign)
 {
-    fmb_status st =
-        fmb_mem_reserve(m->mem, (void **)&m->said, &m->capacity, m->size + 1, sizeof *m->said);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(m->mem, (void **)&m->said, &m->capacity, m->size + 1, sizeof *m->said));
     said_row *r = &m->said[m->size++];
     *r = (said_row){.strict = c->rel == FMB_LT};
-    st = write_said_row(m, c, sign, &r->z);
-    return st == FMB_OK ? fmb_poll_ask(m->of->poll) : st;
+    FMB_TRY(write_said_row(m, c, sign, &r->z));
+    return fmb_poll_ask(m->of->poll);
 }
 
 static int compare_left_sides(const fmb_integers *x, const fmb_integers *y)
@@ -106,18 +101,17 @@ static int compare_said_rows(const void *x, const void *y)
 
 static fmb_status list_said_rows(matching *m)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < m->e->claims; i++) {
+    for (size_t i = 0; i < m->e->claims; i++) {
         const fmb_claim *c = &m->e->claim[i];
         if (!is_said(m, c))
             continue;
-        st = add_said_row(m, c, 1);
-        if (st == FMB_OK && c->rel == FMB_EQ)
-            st = add_said_row(m, c, -1);
+        FMB_TRY(add_said_row(m, c, 1));
+        if (c->rel == FMB_EQ)
+            FMB_TRY(add_said_row(m, c, -1));
     }
-    if (st == FMB_OK && m->size > 1)
+    if (m->size > 1)
         qsort(m->said, m->size, sizeof *m->said, compare_said_rows);
-    return st;
+    return FMB_OK;
 }
 
 /* ---- what is left ---------------------------------------------------------------------------- */

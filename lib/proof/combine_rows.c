@@ -14,10 +14,10 @@ static fmb_status open_combination(combination *b, size_t weights, size_t room, 
                                    fmb_mem *mem, const fmb_poll *poll)
 {
     *b = (combination){.room = room, .right = dim};
-    fmb_status st = fmb_fractions_init(&b->w, weights, mem, poll);
-    if (st == FMB_OK && !(b->product = fmb_mem_get(mem, room, sizeof *b->product)))
-        st = fmb_mem_status(mem);
-    return st;
+    FMB_TRY(fmb_fractions_init(&b->w, weights, mem, poll));
+    if (!(b->product = fmb_mem_get(mem, room, sizeof *b->product)))
+        FMB_TRY(fmb_mem_status(mem));
+    return FMB_OK;
 }
 
 static void close_combination(combination *b)

@@ -87,9 +87,7 @@ static void find_denominator(const assembly *a, const fmb_sparse_vector *list, c
 static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_t *column, int sign,
                          mpq_srcptr last, size_t width, fmb_integers *v)
 {
-    fmb_status st = fmb_integers_init(v, width, a->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_init(v, width, a->mem));
     find_denominator(a, list, column, 0, list->size, a->t);
     mpz_lcm(a->t, a->t, mpq_denref(last));
     for (size_t k = 0; k <= list->size; k++) {
@@ -148,9 +146,8 @@ static bool is_form_zero(assembly *a, size_t i, size_t g)
 static fmb_status eliminate_modulo(assembly *a, const fmb_prime *prime, uint64_t *m, size_t n,
                                    size_t *rank)
 {
-    fmb_status st = FMB_OK;
     size_t width = a->width;
-    for (size_t c = 0; st == FMB_OK && c < width && *rank < n; c++) {
+    for (size_t c = 0; c < width && *rank < n; c++) {
         size_t pivot = *rank;
         while (pivot < n && m[pivot * width + c] == 0)
             pivot++;
@@ -168,9 +165,9 @@ static fmb_status eliminate_modulo(assembly *a, const fmb_prime *prime, uint64_t
             for (size_t k = c; k < width && factor != 0; k++)
                 row[k] = fmb_prime_minus(prime, row[k], fmb_prime_times(prime, factor, p[k]));
         }
-        st = fmb_poll_ask(a->poll);
+        FMB_TRY(fmb_poll_ask(a->poll));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* *rank = the rank of v[n] modulo a prime: it is no more than the rank. */
@@ -264,17 +261,16 @@ static fmb_status write_out_numbers(assembly *a)
     size_t forms = a->rows + a->equations;
     a->form = fmb_mem_zero(a->mem, forms, sizeof *a->form);
     a->vector = fmb_mem_zero(a->mem, a->corners, sizeof *a->vector);
-    fmb_status st = a->form && a->vector ? FMB_OK : fmb_mem_status(a->mem);
-    for (size_t i = 0; st == FMB_OK && i < forms; i++)
-        st = gather(a, &a->row[i]->terms, a->column, -1, a->row[i]->value, a->width, &a->form[i]);
-    for (size_t g = 0; st == FMB_OK && g < a->corners; g++) {
-        st = gather_corner(a, a->corner[g], a->column, a->width, &a->vector[g]);
-        if (st == FMB_OK)
-            st = fmb_integers_reduce(a->vector[g].z, a->vector[g].size, a->t, a->poll);
+    FMB_TRY(a->form && a->vector ? FMB_OK : fmb_mem_status(a->mem));
+    for (size_t i = 0; i < forms; i++)
+        FMB_TRY(
+            gather(a, &a->row[i]->terms, a->column, -1, a->row[i]->value, a->width, &a->form[i]));
+    for (size_t g = 0; g < a->corners; g++) {
+        FMB_TRY(gather_corner(a, a->corner[g], a->column, a->width, &a->vector[g]));
+        FMB_TRY(fmb_integers_reduce(a->vector[g].z, a->vector[g].size, a->t, a->poll));
     }
-    if (st == FMB_OK)
-        st = find_residues(a, a->form, a->rows, &a->form_residue);
-    return st == FMB_OK ? find_residues(a, a->vector, a->corners, &a->vector_residue) : st;
+    FMB_TRY(find_residues(a, a->form, a->rows, &a->form_residue));
+    return find_residues(a, a->vector, a->corners, &a->vector_residue);
 }
 
 /* ---- which corner is where ------------------------------------------------------------------- */

@@ -25,10 +25,7 @@ typedef struct pair_list {
 
 static fmb_status append_empty_row(fmb_elimination *e, fmb_rel rel)
 {
-    fmb_status st =
-        fmb_mem_reserve(e->mem, (void **)&e->row, &e->capacity, e->rows + 1, sizeof *e->row);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(e->mem, (void **)&e->row, &e->capacity, e->rows + 1, sizeof *e->row));
     fmb_eliminated_row *r = &e->row[e->rows++];
     *r = (fmb_eliminated_row){.rel = rel, .of = fmb_mem_zero(e->mem, e->words, sizeof *r->of)};
     return r->of ? fmb_integers_init(&r->z, e->dim + 1, e->mem) : fmb_mem_status(e->mem);
@@ -47,21 +44,17 @@ fmb_status fmb_elimination_open(fmb_elimination *e, const fmb_system *s, uint64_
     e->dim = (size_t)fmb_system_dim(s);
     e->words = fmb_set_words(fmb_system_rows(s));
     mpz_inits(e->p, e->q, NULL);
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++) {
+    for (size_t i = 0; i < fmb_system_rows(s); i++) {
         const fmb_sysrow *from = fmb_system_row(s, i);
-        st = append_empty_row(e, from->rel);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(append_empty_row(e, from->rel));
         fmb_eliminated_row *to = &e->row[i];
         fmb_sysrow_expand(from, e->dim, to->z.z);
         if (from->rel != FMB_EQ)
             fmb_set_put(to->of, i);
-        st = fmb_integers_settle(&to->z, mem);
-        if (st == FMB_OK)
-            st = fmb_poll_ask(poll);
+        FMB_TRY(fmb_integers_settle(&to->z, mem));
+        FMB_TRY(fmb_poll_ask(poll));
     }
-    return st;
+    return FMB_OK;
 }
 
 void fmb_elimination_close(fmb_elimination *e)
@@ -88,10 +81,9 @@ static fmb_status cancel_variable(fmb_elimination *e, fmb_integers *to, const fm
             mpz_addmul(to->z[j], b->z[j], e->q);
     }
     e->work += WORK_OF_PRODUCT * e->dim;
-    fmb_status st = fmb_integers_reduce(to->z, to->size, e->p, e->poll);
-    if (st == FMB_OK)
-        st = fmb_integers_settle(to, e->mem);
-    return st == FMB_OK ? fmb_poll_ask(e->poll) : st;
+    FMB_TRY(fmb_integers_reduce(to->z, to->size, e->p, e->poll));
+    FMB_TRY(fmb_integers_settle(to, e->mem));
+    return fmb_poll_ask(e->poll);
 }
 
 /* ---- by an equality -------------------------------------------------------------------------- */
@@ -121,7 +113,6 @@ static size_t count_union(const fmb_elimination *e, size_t p, size_t q)
 /* Pairs of opposite sign that are positive in few enough places. *done false: too much. */
 static fmb_status list_pairs(fmb_elimination *e, size_t v, pair_list *l, bool *done)
 {
-    fmb_status st = FMB_OK;
     for (size_t p = 0; p < e->rows; p++) {
         if (mpz_sgn(e->row[p].z.z[v]) <= 0)
             continue;
@@ -131,19 +122,17 @@ static fmb_status list_pairs(fmb_elimination *e, size_t v, pair_list *l, bool *d
             row_pair pair = {p, q, count_union(e, p, q)};
             if (pair.size > e->pairings + 1)
                 continue;
-            st = fmb_mem_reserve(e->mem, (void **)&l->pair, &l->capacity, l->size + 1,
-                                 sizeof *l->pair);
-            if (st != FMB_OK)
-                return st;
+            FMB_TRY(fmb_mem_reserve(e->mem, (void **)&l->pair, &l->capacity, l->size + 1,
+                                    sizeof *l->pair));
             l->pair[l->size++] = pair;
         }
         e->work += e->rows * e->words;
         *done = e->work <= e->most;
-        st = fmb_poll_ask(e->poll);
-        if (st != FMB_OK || !*done)
-            return st;
+        FMB_TRY(fmb_poll_ask(e->poll));
+        if (!*done)
+            return FMB_OK;
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The smaller union first. */
@@ -176,9 +165,7 @@ static fmb_status add_pair(fmb_elimination *e, const row_pair *pair, size_t v, u
     if (covers_another(e, set, v))
         return FMB_OK;
     bool strict = e->row[pair->p].rel == FMB_LT || e->row[pair->q].rel == FMB_LT;
-    fmb_status st = append_empty_row(e, strict ? FMB_LT : FMB_LE);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(append_empty_row(e, strict ? FMB_LT : FMB_LE));
     fmb_eliminated_row *sum = &e->row[e->rows - 1];
     memcpy(sum->of, set, e->words * sizeof *set);
     for (size_t j = 0; j <= e->dim; j++)

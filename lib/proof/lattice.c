@@ -328,20 +328,16 @@ static fmb_status look_at_face(lattice_walk *w, const uint64_t *f, size_t dimens
 
 static fmb_status walk_down(lattice_walk *w, size_t dimension, const fmb_poll *poll)
 {
-    fmb_status st = FMB_OK;
     for (; dimension > 0 && w->end == FMB_LATTICE_CLOSED; dimension--) {
         for (size_t i = 0; w->end == FMB_LATTICE_CLOSED && i < w->here.size; i++) {
-            st = fmb_poll_ask(poll);
-            if (st == FMB_OK)
-                st = look_at_face(w, w->here.set + i * w->l->words, dimension);
-            if (st != FMB_OK)
-                return st;
+            FMB_TRY(fmb_poll_ask(poll));
+            FMB_TRY(look_at_face(w, w->here.set + i * w->l->words, dimension));
         }
         clear_level(&w->here, w->mem);
         w->here = w->below;
         w->below = (faces_of_level){0};
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t dimension,

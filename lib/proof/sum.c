@@ -6,12 +6,9 @@
 fmb_status fmb_fractions_init(fmb_fractions *w, size_t n, fmb_mem *mem, const fmb_poll *poll)
 {
     *w = (fmb_fractions){.mem = mem, .poll = poll, .size = n};
-    fmb_status st = fmb_integers_init(&w->num, n, mem);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&w->den, n, mem);
-    if (st == FMB_OK && !(w->group = fmb_mem_get(mem, n, sizeof *w->group)))
-        st = fmb_mem_status(mem);
-    return st;
+    FMB_TRY(fmb_integers_init(&w->num, n, mem));
+    FMB_TRY(fmb_integers_init(&w->den, n, mem));
+    return !(w->group = fmb_mem_get(mem, n, sizeof *w->group)) ? fmb_mem_status(mem) : FMB_OK;
 }
 
 void fmb_fractions_clear(fmb_fractions *w)

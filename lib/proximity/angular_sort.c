@@ -113,9 +113,7 @@ static fmb_status sort_vertices(common_polygon *p, fmb_generators **g, const fmb
     if (!find_view(p) || !are_in_plane(p))
         return FMB_OK;
     sort_by_angle(p);
-    fmb_status st = write_in_order(p, mem, &sorted);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(write_in_order(p, mem, &sorted));
     fmb_generators_free(*g);
     *g = sorted;
     return FMB_OK;

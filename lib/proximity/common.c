@@ -66,10 +66,9 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
     fmb_system *s = NULL;
     fmb_generators *found = NULL;
     fmb_result r = {.size = sizeof r};
-    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_two_system(two, FMB_COORDINATES_WORLD, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
+    FMB_TRY(fmb_two_expect(v, two, out != NULL, res));
+    fmb_status st =
+        fmb_two_system(two, FMB_COORDINATES_WORLD, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
     if (st == FMB_ERR_ARG)
         st = find_from_all(v, two, &found, &r);
     else if (st == FMB_OK)

@@ -112,9 +112,7 @@ static fmb_status find_facets(fmb_solver *v, fmb_minkowski *m, fmb_system **out,
 static fmb_status ask_facets(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out, fmb_result *res)
 {
     fmb_system *facets = NULL;
-    fmb_status st = find_facets(v, m, &facets, res);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(find_facets(v, m, &facets, res));
     res->verdict = res->stop != FMB_STOP_DONE ? FMB_UNKNOWN
                    : holds_origin(facets)     ? FMB_FEASIBLE
                                               : FMB_INFEASIBLE;

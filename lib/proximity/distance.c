@@ -74,11 +74,9 @@ static fmb_status ask_smallest_cube(fmb_solver *v, fmb_minkowski *m, fmb_proximi
 {
     fmb_system *s = NULL;
     fmb_optimum *best = NULL;
-    fmb_status st = fmb_minkowski_system(m, &v->mem.alloc, &s);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_minkowski_system(m, &v->mem.alloc, &s));
     int var = fmb_system_dim(s);
-    st = bound_by_cube(m, s);
+    fmb_status st = bound_by_cube(m, s);
     if (st == FMB_OK)
         st = minimize_variable(v, s, var, &best, res);
     if (st == FMB_OK && fmb_optimum_end(best).kind == FMB_END_FINITE) {

@@ -164,21 +164,20 @@ static fmb_status bound_coordinates(fmb_minkowski *m, row_draft *r, int from, in
                                     fmb_shape shape)
 {
     mpz_ptr one = m->t[0], minus = m->t[1], zero = m->t[2];
-    fmb_status st = FMB_OK;
     mpz_set_si(one, 1);
     mpz_set_si(minus, -1);
     mpz_set_si(zero, 0);
-    for (int i = 0; st == FMB_OK && i < n; i++) {
+    for (int i = 0; i < n; i++) {
         put_term(r, from + i, minus);
-        st = append_draft(r, zero, FMB_LE);
-        if (st == FMB_OK && shape == FMB_CUBOID) {
+        FMB_TRY(append_draft(r, zero, FMB_LE));
+        if (shape == FMB_CUBOID) {
             put_term(r, from + i, one);
-            st = append_draft(r, one, FMB_LE);
+            FMB_TRY(append_draft(r, one, FMB_LE));
         }
     }
-    for (int i = 0; st == FMB_OK && shape == FMB_SIMPLEX && i < n; i++)
+    for (int i = 0; shape == FMB_SIMPLEX && i < n; i++)
         put_term(r, from + i, one);
-    return st == FMB_OK && r->n > 0 ? append_draft(r, one, FMB_LE) : st;
+    return r->n > 0 ? append_draft(r, one, FMB_LE) : FMB_OK;
 }
 
 /* unit m_j - (edges of P) c + (edges of Q) c' - drift t = origin of P - origin of Q */
@@ -203,14 +202,13 @@ static fmb_status append_coordinate(fmb_minkowski *m, row_draft *r, int j)
 static fmb_status append_all_rows(fmb_minkowski *m, row_draft *r)
 {
     int var = m->dim;
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < m->dim; j++)
-        st = append_coordinate(m, r, j);
-    for (int k = 0; st == FMB_OK && k < 2; k++) {
-        st = bound_coordinates(m, r, var, m->frame[k].naxes, m->frame[k].shape);
+    for (int j = 0; j < m->dim; j++)
+        FMB_TRY(append_coordinate(m, r, j));
+    for (int k = 0; k < 2; k++) {
+        FMB_TRY(bound_coordinates(m, r, var, m->frame[k].naxes, m->frame[k].shape));
         var += m->frame[k].naxes;
     }
-    return st == FMB_OK && m->moves ? bound_coordinates(m, r, var, 1, FMB_CUBOID) : st;
+    return m->moves ? bound_coordinates(m, r, var, 1, FMB_CUBOID) : FMB_OK;
 }
 
 fmb_status fmb_minkowski_system(fmb_minkowski *m, const fmb_alloc *hook, fmb_system **out)
@@ -218,12 +216,10 @@ fmb_status fmb_minkowski_system(fmb_minkowski *m, const fmb_alloc *hook, fmb_sys
     int vars = m->dim + m->frame[0].naxes + m->frame[1].naxes + m->moves;
     size_t width = (size_t)vars + 2;
     row_draft r = {0};
-    fmb_status st = fmb_system_new(vars, hook, &r.s);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_system_new(vars, hook, &r.s));
     r.var = fmb_mem_get(m->mem, width, sizeof *r.var);
     r.z = fmb_vec_block(width, m->mem);
-    st = r.var && r.z ? append_all_rows(m, &r) : fmb_mem_status(m->mem);
+    fmb_status st = r.var && r.z ? append_all_rows(m, &r) : fmb_mem_status(m->mem);
     fmb_vec_block_free(r.z, width, m->mem);
     fmb_mem_put(m->mem, r.var, width, sizeof *r.var);
     if (st == FMB_OK)

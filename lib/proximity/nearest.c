@@ -59,8 +59,8 @@ static fmb_status open_wolfe(wolfe *w, fmb_minkowski *m, fmb_run *run)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < w->most; i++)
         w->vertex[i] = w->vertices + i * vertex_size(w);
-    fmb_status st = fmb_rationals_new(&w->weight, w->most, mem);
-    return st == FMB_OK ? fmb_rationals_new(&w->wish, w->most, mem) : st;
+    FMB_TRY(fmb_rationals_new(&w->weight, w->most, mem));
+    return fmb_rationals_new(&w->wish, w->most, mem);
 }
 
 static void free_block(wolfe *w, mpz_t *block, size_t n)
@@ -100,13 +100,13 @@ static fmb_status find_wish(wolfe *w)
         mpz_set_ui(row[n], i < n);
         mpz_set_ui(row[n + 1], i == n);
     }
-    fmb_status st = fmb_jordan(w->table, (int)n + 1, (int)width, (int)n + 1, w->det, w->run);
-    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+    FMB_TRY(fmb_jordan(w->table, (int)n + 1, (int)width, (int)n + 1, w->det, w->run));
+    for (size_t i = 0; i < n; i++) {
         mpz_set(mpq_numref(w->wish[i]), w->table[i * width + n + 1]);
         mpz_set(mpq_denref(w->wish[i]), w->det);
         mpq_canonicalize(w->wish[i]);
     }
-    return st;
+    return FMB_OK;
 }
 
 static bool is_wish_inside(const wolfe *w)
@@ -161,14 +161,14 @@ static void step_towards_wish(wolfe *w)
 
 static fmb_status make_corral(wolfe *w)
 {
-    fmb_status st = find_wish(w);
-    while (st == FMB_OK && !is_wish_inside(w)) {
+    FMB_TRY(find_wish(w));
+    while (!is_wish_inside(w)) {
         step_towards_wish(w);
-        st = find_wish(w);
+        FMB_TRY(find_wish(w));
     }
-    for (size_t i = 0; st == FMB_OK && i < w->n; i++)
+    for (size_t i = 0; i < w->n; i++)
         mpq_set(w->weight[i], w->wish[i]);
-    return st;
+    return FMB_OK;
 }
 
 /* direction = det x, a whole vector. */

@@ -47,11 +47,9 @@ fmb_status fmb_proximity_ask(fmb_solver *v, fmb_minkowski *m, const char *name,
 {
     fmb_system *none = NULL;
     fmb_query q;
-    fmb_status st = fmb_system_new(m->dim, &v->mem.alloc, &none);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_system_new(m->dim, &v->mem.alloc, &none));
     fmb_verdict verdict = FMB_UNKNOWN;
-    st = fmb_query_begin(&q, v, none, name);
+    fmb_status st = fmb_query_begin(&q, v, none, name);
     if (st == FMB_OK)
         st = answer(m, &q.run, out, &verdict);
     st = fmb_query_end(&q, st, verdict, res);

@@ -9,11 +9,8 @@
 fmb_status fmb_solver_load(fmb_solver *v, const fmb_system *s)
 {
     fmb_session *c;
-    fmb_status st = fmb_solver_expect(v, s, true, NULL);
-    if (st == FMB_OK)
-        st = fmb_session_new(&v->mem, s, &v->handles, &c);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_solver_expect(v, s, true, NULL));
+    FMB_TRY(fmb_session_new(&v->mem, s, &v->handles, &c));
     fmb_session_free(v->session);
     v->session = c;
     v->error[0] = '\0';
@@ -89,8 +86,8 @@ static fmb_status refuse_right_side(fmb_solver *v, size_t row, const char *what)
 
 static fmb_status begin_addition(fmb_solver *v)
 {
-    fmb_status st = expect_loaded_system(v);
-    return st == FMB_OK ? fmb_session_reserve(v->session) : st;
+    FMB_TRY(expect_loaded_system(v));
+    return fmb_session_reserve(v->session);
 }
 
 /* A row was appended with that status. */
@@ -105,73 +102,64 @@ static fmb_status end_addition(fmb_solver *v, fmb_status st)
 
 fmb_status fmb_solver_add(fmb_solver *v, const double *a, fmb_rel rel, double b)
 {
-    fmb_status st = begin_addition(v);
-    return st == FMB_OK ? end_addition(v, fmb_system_add(v->session->s, a, rel, b)) : st;
+    FMB_TRY(begin_addition(v));
+    return end_addition(v, fmb_system_add(v->session->s, a, rel, b));
 }
 
 fmb_status fmb_solver_add_int(fmb_solver *v, const int64_t *a, fmb_rel rel, int64_t b)
 {
-    fmb_status st = begin_addition(v);
-    return st == FMB_OK ? end_addition(v, fmb_system_add_int(v->session->s, a, rel, b)) : st;
+    FMB_TRY(begin_addition(v));
+    return end_addition(v, fmb_system_add_int(v->session->s, a, rel, b));
 }
 
 fmb_status fmb_solver_add_q(fmb_solver *v, size_t n, const int *var, mpq_t *coef, fmb_rel rel,
                             const mpq_t b)
 {
-    fmb_status st = begin_addition(v);
-    return st == FMB_OK ? end_addition(v, fmb_system_add_q(v->session->s, n, var, coef, rel, b))
-                        : st;
+    FMB_TRY(begin_addition(v));
+    return end_addition(v, fmb_system_add_q(v->session->s, n, var, coef, rel, b));
 }
 
 fmb_status fmb_solver_remove(fmb_solver *v, size_t row)
 {
-    fmb_status st = expect_loaded_row(v, row);
-    if (st == FMB_OK)
-        st = fmb_session_reserve(v->session);
-    if (st == FMB_OK)
-        fmb_session_remove(v->session, row);
-    return st;
+    FMB_TRY(expect_loaded_row(v, row));
+    FMB_TRY(fmb_session_reserve(v->session));
+    fmb_session_remove(v->session, row);
+    return FMB_OK;
 }
 
 fmb_status fmb_solver_set_right_q(fmb_solver *v, size_t row, const mpq_t b)
 {
-    fmb_status st = expect_loaded_row(v, row);
-    if (st == FMB_OK && (!b || mpz_sgn(mpq_denref(b)) == 0))
+    FMB_TRY(expect_loaded_row(v, row));
+    if (!b || mpz_sgn(mpq_denref(b)) == 0)
         return refuse_right_side(v, row, b ? "has denominator 0" : "is NULL");
-    if (st == FMB_OK)
-        st = fmb_session_reserve(v->session);
-    return st == FMB_OK ? fmb_session_set_right(v->session, row, b) : st;
+    FMB_TRY(fmb_session_reserve(v->session));
+    return fmb_session_set_right(v->session, row, b);
 }
 
 fmb_status fmb_solver_set_right(fmb_solver *v, size_t row, double b)
 {
-    fmb_status st = expect_loaded_row(v, row);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(expect_loaded_row(v, row));
     if (!isfinite(b))
         return refuse_right_side(v, row, isnan(b) ? "is nan" : "is infinite");
     mpq_t q;
     mpq_init(q);
     mpq_set_d(q, b);
-    st = fmb_solver_set_right_q(v, row, q);
+    fmb_status st = fmb_solver_set_right_q(v, row, q);
     mpq_clear(q);
     return st;
 }
 
 fmb_status fmb_solver_set_label(fmb_solver *v, size_t row, const char *label)
 {
-    fmb_status st = expect_loaded_row(v, row);
-    if (st == FMB_OK)
-        st = fmb_session_reserve(v->session);
-    return st == FMB_OK ? fmb_session_set_label(v->session, row, label) : st;
+    FMB_TRY(expect_loaded_row(v, row));
+    FMB_TRY(fmb_session_reserve(v->session));
+    return fmb_session_set_label(v->session, row, label);
 }
 
 fmb_status fmb_solver_add_variable(fmb_solver *v, const char *name, int *index)
 {
-    fmb_status st = begin_addition(v);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_system_add_variable(v->session->s, name, index);
+    FMB_TRY(begin_addition(v));
+    fmb_status st = fmb_system_add_variable(v->session->s, name, index);
     if (st == FMB_OK)
         fmb_session_note_variable(v->session);
     else if (st == FMB_ERR_ARG)
@@ -183,16 +171,15 @@ fmb_status fmb_solver_add_variable(fmb_solver *v, const char *name, int *index)
 
 fmb_status fmb_solver_push(fmb_solver *v)
 {
-    fmb_status st = expect_loaded_system(v);
-    return st == FMB_OK ? fmb_session_push(v->session) : st;
+    FMB_TRY(expect_loaded_system(v));
+    return fmb_session_push(v->session);
 }
 
 fmb_status fmb_solver_pop(fmb_solver *v)
 {
-    fmb_status st = expect_loaded_system(v);
-    if (st == FMB_OK && v->session->levels == 0)
+    FMB_TRY(expect_loaded_system(v));
+    if (v->session->levels == 0)
         return FMB_ERR_STATE;
-    if (st == FMB_OK)
-        fmb_session_pop(v->session);
-    return st;
+    fmb_session_pop(v->session);
+    return FMB_OK;
 }

@@ -20,10 +20,9 @@ static fmb_status note_eliminated_point(fmb_query *q, const fmb_part *p, const f
 {
     if (!q->point)
         return FMB_OK;
-    fmb_status st = fmb_elim_point(e, FMB_POINT_INSIDE, q->x);
-    if (st == FMB_OK)
-        fmb_query_scatter(p, q->x, q->point);
-    return st;
+    FMB_TRY(fmb_elim_point(e, FMB_POINT_INSIDE, q->x));
+    fmb_query_scatter(p, q->x, q->point);
+    return FMB_OK;
 }
 
 /* budget > 0: *out stays UNKNOWN when the store outgrows it. */
@@ -75,10 +74,9 @@ static fmb_status note_oracle_point(fmb_query *q, const fmb_part *p, const fmb_o
 {
     if (!q->point)
         return FMB_OK;
-    fmb_status st = fmb_oracle_point(o, q->x);
-    if (st == FMB_OK)
-        fmb_query_scatter(p, q->x, q->point);
-    return st;
+    FMB_TRY(fmb_oracle_point(o, q->x));
+    fmb_query_scatter(p, q->x, q->point);
+    return FMB_OK;
 }
 
 static fmb_status decide_by_oracle(fmb_query *q, int part, fmb_verdict *out)
@@ -102,13 +100,12 @@ static fmb_status decide_one_part(fmb_query *q, int part, bool oracles, fmb_verd
 {
     const fmb_part *p = &q->parts.part[part];
     fmb_method method = q->v->options.method;
-    fmb_status st = FMB_OK;
     *out = FMB_UNKNOWN;
     if (!oracles && method == FMB_METHOD_FM)
-        st = decide_by_elimination(q, part, 0, out);
+        FMB_TRY(decide_by_elimination(q, part, 0, out));
     else if (!oracles && method == FMB_METHOD_AUTO && p->n <= TINY_VARIABLES && p->m <= TINY_ROWS)
-        st = decide_by_elimination(q, part, TINY_BUDGET, out);
-    return st != FMB_OK || *out != FMB_UNKNOWN ? st : decide_by_oracle(q, part, out);
+        FMB_TRY(decide_by_elimination(q, part, TINY_BUDGET, out));
+    return *out != FMB_UNKNOWN ? FMB_OK : decide_by_oracle(q, part, out);
 }
 
 fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out)
@@ -118,16 +115,15 @@ fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out)
         *out = claimed == FMB_OK ? FMB_INFEASIBLE : *out;
         return claimed;
     }
-    fmb_status st = fmb_run_poll_now(&q->run);
+    FMB_TRY(fmb_run_poll_now(&q->run));
     fmb_verdict verdict = FMB_FEASIBLE;
     oracles = oracles || q->session;
-    for (int c = 0; st == FMB_OK && verdict == FMB_FEASIBLE && c < q->parts.count; c++)
-        st = decide_one_part(q, c, oracles, &verdict);
-    if (st == FMB_OK && verdict == FMB_FEASIBLE)
-        st = fmb_query_claim_feasible(q);
-    if (st == FMB_OK)
-        *out = verdict;
-    return st;
+    for (int c = 0; verdict == FMB_FEASIBLE && c < q->parts.count; c++)
+        FMB_TRY(decide_one_part(q, c, oracles, &verdict));
+    if (verdict == FMB_FEASIBLE)
+        FMB_TRY(fmb_query_claim_feasible(q));
+    *out = verdict;
+    return FMB_OK;
 }
 
 /* ---- on the stack ---------------------------------------------------------------------------- */

@@ -101,10 +101,8 @@ static fmb_status open_lift(fmb_solver *v, const char *missing, const fmb_result
 {
     if (!v || missing)
         return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL", v ? missing : "the solver");
-    fmb_status st = fmb_solver_expect_result(v, res);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_system_new(0, &v->mem.alloc, lift);
+    FMB_TRY(fmb_solver_expect_result(v, res));
+    fmb_status st = fmb_system_new(0, &v->mem.alloc, lift);
     if (st != FMB_OK)
         v->answered = false;
     return st;
@@ -114,11 +112,9 @@ fmb_status fmb_image(fmb_solver *v, const fmb_system *s, const fmb_system *graph
                      fmb_system **out, fmb_result *res)
 {
     fmb_system *t = NULL;
-    fmb_status st = open_lift(v, !s ? "s" : !graph ? "graph" : out ? NULL : "out", res, &t);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_lift(v, !s ? "s" : !graph ? "graph" : out ? NULL : "out", res, &t));
     limit_lift(v, t);
-    st = fmb_lift_image(t, s, graph);
+    fmb_status st = fmb_lift_image(t, s, graph);
     return finish_lift(v, t, st, &(lift_answer){lift, out, res, s, graph});
 }
 
@@ -126,10 +122,8 @@ fmb_status fmb_sum(fmb_solver *v, const fmb_system *const *s, size_t n, fmb_syst
                    fmb_system **out, fmb_result *res)
 {
     fmb_system *t = NULL;
-    fmb_status st = open_lift(v, out ? NULL : "out", res, &t);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_lift_match(t, s, n);
+    FMB_TRY(open_lift(v, out ? NULL : "out", res, &t));
+    fmb_status st = fmb_lift_match(t, s, n);
     if (st != FMB_OK)
         return give_up_lift(v, t, st);
     limit_lift(v, t);
@@ -187,10 +181,8 @@ fmb_status fmb_hull_union(fmb_solver *v, const fmb_system *const *s, size_t n, f
                           fmb_system **out, fmb_result *res)
 {
     fmb_system *t = NULL;
-    fmb_status st = open_lift(v, out ? NULL : "out", res, &t);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_lift_match(t, s, n);
+    FMB_TRY(open_lift(v, out ? NULL : "out", res, &t));
+    fmb_status st = fmb_lift_match(t, s, n);
     if (st != FMB_OK)
         return give_up_lift(v, t, st);
     const fmb_system **chosen = fmb_mem_get(&v->mem, n, sizeof *chosen);

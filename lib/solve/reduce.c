@@ -27,11 +27,9 @@ static fmb_status claim_combination(reduce_progress *g, fmb_claim_kind kind, siz
 {
     fmb_query *q = g->q;
     fmb_claim *claim;
-    fmb_status st = fmb_evidence_claim(q->claims, kind, &claim);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_evidence_claim(q->claims, kind, &claim));
     claim->row = g->p->source[i];
-    st = fmb_query_push(q, g->p, w, i, 1, &claim->multipliers);
+    fmb_status st = fmb_query_push(q, g->p, w, i, 1, &claim->multipliers);
     if (st == FMB_OK && kind == FMB_CLAIM_REDUNDANT && g->p->rel[i] == FMB_EQ)
         st = fmb_query_push(q, g->p, w, i, -1, &claim->reverse);
     return fmb_query_finish_claim(q, st);
@@ -51,11 +49,9 @@ static fmb_status claim_irredundant_row(void *self, size_t i, mpq_t *x)
 {
     reduce_progress *g = self;
     fmb_claim *claim;
-    fmb_status st = fmb_evidence_claim(g->q->claims, FMB_CLAIM_IRREDUNDANT, &claim);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_evidence_claim(g->q->claims, FMB_CLAIM_IRREDUNDANT, &claim));
     claim->row = g->p->source[i];
-    st = fmb_query_attach_point(g->q, claim, g->p, x);
+    fmb_status st = fmb_query_attach_point(g->q, claim, g->p, x);
     return fmb_query_finish_claim(g->q, st);
 }
 
@@ -137,19 +133,17 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
 /* Rows that name no variable are true here, and follow from nothing at all. */
 static fmb_status drop_constant_rows(fmb_query *q, fmb_fate *fate)
 {
-    fmb_status st = FMB_OK;
     fmb_claim *claim;
-    for (size_t i = 0; st == FMB_OK && i < q->s->rows; i++) {
+    for (size_t i = 0; i < q->s->rows; i++) {
         if (fmb_system_row(q->s, i)->nnz > 0)
             continue;
         fate[i] = FMB_FATE_REDUNDANT;
         if (!q->claims)
             continue;
-        st = fmb_evidence_claim(q->claims, FMB_CLAIM_REDUNDANT, &claim);
-        if (st == FMB_OK)
-            claim->row = i;
+        FMB_TRY(fmb_evidence_claim(q->claims, FMB_CLAIM_REDUNDANT, &claim));
+        claim->row = i;
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The rows that stay, in their order. LIMIT, and no system, where the limit has no room for a copy
@@ -161,9 +155,7 @@ static fmb_status build_reduced_system(const fmb_system *s, const fmb_fate *fate
     if (!fmb_mem_charge(mem, s->mem.used))
         return fmb_mem_status(mem);
     fmb_mem_refund(mem, s->mem.used);
-    fmb_status st = fmb_system_copy(s, &t);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_system_copy(s, &t));
     for (size_t i = 0; i < t->rows; i++)
         if (fate[i] == FMB_FATE_EQUALITY)
             t->row[i].rel = FMB_EQ;
@@ -176,13 +168,13 @@ static fmb_status build_reduced_system(const fmb_system *s, const fmb_fate *fate
 
 static fmb_status decide_all_rows(fmb_query *q, fmb_fate *fate, fmb_verdict *verdict)
 {
-    fmb_status st = fmb_query_decide(q, fmb_query_eliminates(q), verdict);
-    if (st != FMB_OK || *verdict != FMB_FEASIBLE)
-        return st;
-    st = drop_constant_rows(q, fate);
-    for (int c = 0; st == FMB_OK && c < q->parts.count; c++)
-        st = decide_rows_of_part(q, c, fate);
-    return st;
+    FMB_TRY(fmb_query_decide(q, fmb_query_eliminates(q), verdict));
+    if (*verdict != FMB_FEASIBLE)
+        return FMB_OK;
+    FMB_TRY(drop_constant_rows(q, fate));
+    for (int c = 0; c < q->parts.count; c++)
+        FMB_TRY(decide_rows_of_part(q, c, fate));
+    return FMB_OK;
 }
 
 fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_system **out,
@@ -191,16 +183,14 @@ fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_sy
     fmb_query q;
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_system *reduced = NULL;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_solver_expect(v, s, out != NULL, res));
     size_t rows = fmb_system_rows(s);
     fmb_fate *mine = fmb_mem_zero(&v->mem, rows, sizeof *mine);
     if (!mine) {
         v->answered = false; /* the evidence at hand is that of an older query */
         return FMB_ERR_MEMORY;
     }
-    st = fmb_query_begin(&q, v, s, "reduce");
+    fmb_status st = fmb_query_begin(&q, v, s, "reduce");
     fmb_mem result = {.used = s->mem.used}; /* it is made at the end, but has its place now */
     fmb_mem_enter(&result, &v->mem);
     if (st == FMB_OK)

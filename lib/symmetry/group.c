@@ -99,10 +99,8 @@ static bool is_symmetry(const fmb_group *g, const fmb_program *p, const bool *ke
 static fmb_status append_generator(fmb_group *g, const uint32_t *image)
 {
     size_t length = g->n + g->m;
-    fmb_status st =
-        fmb_mem_reserve(g->mem, (void **)&g->image, &g->capacity, g->size + 1, sizeof *g->image);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(
+        fmb_mem_reserve(g->mem, (void **)&g->image, &g->capacity, g->size + 1, sizeof *g->image));
     uint32_t *copy = fmb_mem_get(g->mem, length, sizeof *copy);
     if (!copy)
         return fmb_mem_status(g->mem);

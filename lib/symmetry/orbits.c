@@ -82,27 +82,24 @@ size_t fmb_orbits_find(const fmb_orbits *o, const fmb_vec *v)
 /* to = v under generator g. Room for k + 1 small entries is there. */
 static fmb_status move_vector(const fmb_orbits *o, const fmb_vec *v, size_t g, fmb_vec *to)
 {
-    fmb_status st = fmb_vec_copy(to, v, o->k + 1, o->run->mem);
-    for (size_t j = 0; st == FMB_OK && j < o->k; j++) {
+    FMB_TRY(fmb_vec_copy(to, v, o->k + 1, o->run->mem));
+    for (size_t j = 0; j < o->k; j++) {
         size_t at = o->place[g * o->k + j] + 1;
         if (v->z)
             mpz_set(to->z[at], v->z[j + 1]);
         else
             to->s[at] = v->s[j + 1];
     }
-    return st == FMB_OK && v->z ? fmb_vec_settle(to, o->k + 1, o->run->mem) : st;
+    return v->z ? fmb_vec_settle(to, o->k + 1, o->run->mem) : FMB_OK;
 }
 
 /* One item more, undefined but for its origin: it counts from keep_item on. */
 static fmb_status make_item(fmb_orbits *o, uint32_t from, uint32_t by, size_t tag)
 {
     fmb_mem *mem = o->run->mem;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&o->item, &o->capacity, o->size + 1, sizeof *o->item);
-    if (st == FMB_OK && 2 * (o->size + 1) > o->slots)
-        st = double_slots(o);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&o->item, &o->capacity, o->size + 1, sizeof *o->item));
+    if (2 * (o->size + 1) > o->slots)
+        FMB_TRY(double_slots(o));
     fmb_orbit_vector *t = &o->item[o->size];
     *t = (fmb_orbit_vector){.from = from, .by = by, .tag = tag};
     t->v.s = fmb_mem_zero(mem, o->k + 1, sizeof *t->v.s);
@@ -128,10 +125,8 @@ static void keep_item_if_new(fmb_orbits *o)
 
 static fmb_status add_image(fmb_orbits *o, size_t item, size_t g)
 {
-    fmb_status st = make_item(o, (uint32_t)item, (uint32_t)g, SIZE_MAX);
-    if (st != FMB_OK)
-        return st;
-    st = move_vector(o, &o->item[item].v, g, &o->item[o->size].v);
+    FMB_TRY(make_item(o, (uint32_t)item, (uint32_t)g, SIZE_MAX));
+    fmb_status st = move_vector(o, &o->item[item].v, g, &o->item[o->size].v);
     if (st == FMB_OK)
         keep_item_if_new(o);
     else
@@ -142,10 +137,8 @@ static fmb_status add_image(fmb_orbits *o, size_t item, size_t g)
 fmb_status fmb_orbits_add(fmb_orbits *o, const fmb_vec *v, size_t tag)
 {
     size_t first = o->size;
-    fmb_status st = make_item(o, FMB_ORBIT_ROOT, 0, tag);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_vec_copy(&o->item[first].v, v, o->k + 1, o->run->mem);
+    FMB_TRY(make_item(o, FMB_ORBIT_ROOT, 0, tag));
+    fmb_status st = fmb_vec_copy(&o->item[first].v, v, o->k + 1, o->run->mem);
     if (st == FMB_OK)
         keep_item_if_new(o);
     else
@@ -178,8 +171,8 @@ static uint32_t move_row(const fmb_orbits *o, size_t item, uint32_t row)
 fmb_status fmb_orbits_move_weights(const fmb_orbits *o, size_t item, const fmb_weights *from,
                                    fmb_weights *to)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < from->size; i++)
-        st = fmb_weights_add(to, move_row(o, item, from->index[i]), from->value[i], o->run->mem);
-    return st;
+    for (size_t i = 0; i < from->size; i++)
+        FMB_TRY(
+            fmb_weights_add(to, move_row(o, item, from->index[i]), from->value[i], o->run->mem));
+    return FMB_OK;
 }

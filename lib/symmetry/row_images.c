@@ -64,9 +64,7 @@ static fmb_status append_equality(fmb_row_images *t)
     if (pivot == t->dim)
         return FMB_OK;
     mpq_t *e;
-    fmb_status st = fmb_rationals_new(&e, t->dim + 1, t->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rationals_new(&e, t->dim + 1, t->mem));
     for (size_t j = 0; j <= t->dim; j++)
         mpq_div(e[j], t->x[j], t->x[pivot]);
     for (size_t k = 0; k < t->equalities; k++) { /* each a row to be reduced by the new one */
@@ -124,12 +122,10 @@ static fmb_status move_row_by_image(fmb_row_images *t, size_t i, const int *imag
     if (r->rel == FMB_EQ && mpz_sgn(t->z[0]) < 0)
         for (size_t k = 0; k < n; k++)
             mpz_neg(t->z[k], t->z[k]);
-    fmb_status st = fmb_vec_set_z(&t->moved.v, n, t->z, t->mem);
-    if (st == FMB_OK)
-        st = fmb_vec_reduce(&t->moved.v, n, &t->num);
-    if (st == FMB_OK)
-        t->moved.hash = hash_of_moved_row(t, r->rel);
-    return st;
+    FMB_TRY(fmb_vec_set_z(&t->moved.v, n, t->z, t->mem));
+    FMB_TRY(fmb_vec_reduce(&t->moved.v, n, &t->num));
+    t->moved.hash = hash_of_moved_row(t, r->rel);
+    return FMB_OK;
 }
 
 /* Is the row that was moved, with that relation, row i of the table? */
@@ -219,21 +215,19 @@ static fmb_status open_equalities(fmb_row_images *t)
         t->room += fmb_system_row(t->s, i)->rel == FMB_EQ;
     if (t->room == 0)
         return FMB_OK;
-    fmb_status st = fmb_rationals_new(&t->x, t->dim + 1, t->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rationals_new(&t->x, t->dim + 1, t->mem));
     t->equality = fmb_mem_get(t->mem, t->room, sizeof *t->equality);
     t->pivot = fmb_mem_get(t->mem, t->room, sizeof *t->pivot);
-    st = t->equality && t->pivot ? FMB_OK : fmb_mem_status(t->mem);
-    for (size_t i = 0; st == FMB_OK && i < m; i++) {
+    FMB_TRY(t->equality && t->pivot ? FMB_OK : fmb_mem_status(t->mem));
+    for (size_t i = 0; i < m; i++) {
         const fmb_sysrow *r = fmb_system_row(t->s, i);
         if (r->rel != FMB_EQ)
             continue;
         sort_moved_terms(t, r, NULL);
         scatter_and_reduce(t);
-        st = append_equality(t);
+        FMB_TRY(append_equality(t));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status open_row_images(fmb_row_images *t)
@@ -307,9 +301,9 @@ static fmb_status join_row_with_image(fmb_row_images *t, size_t i, const int *im
                                       size_t *class_of)
 {
     size_t j;
-    fmb_status st = fmb_row_images_find(t, i, image, &j);
-    if (st != FMB_OK || j == SIZE_MAX)
-        return st;
+    FMB_TRY(fmb_row_images_find(t, i, image, &j));
+    if (j == SIZE_MAX)
+        return FMB_OK;
     size_t a = first_of_class(class_of, i), b = first_of_class(class_of, j);
     class_of[a > b ? a : b] = a > b ? b : a;
     return FMB_OK;

@@ -265,10 +265,8 @@ static fmb_status draft_gather(draft *d, const matrix *m, size_t i, fmb_mem *mem
 static fmb_status append_long_row(fmb_system *s, const matrix *m, size_t i, fmb_rel rel)
 {
     draft d;
-    fmb_status st = draft_init(&d, first_term(m, i + 1) - first_term(m, i), &s->mem);
-    if (st != FMB_OK)
-        return st;
-    st = draft_gather(&d, m, i, &s->mem);
+    FMB_TRY(draft_init(&d, first_term(m, i + 1) - first_term(m, i), &s->mem));
+    fmb_status st = draft_gather(&d, m, i, &s->mem);
     if (st == FMB_OK)
         st = draft_append(&d, s, rel);
     draft_clear(&d, &s->mem);
@@ -314,8 +312,8 @@ static fmb_status append_matrix(fmb_system *s, const matrix *m)
 static fmb_status add_matrix(fmb_system *s, matrix m)
 {
     m.dim = s ? s->names.size : 0;
-    fmb_status st = check_matrix(s, &m);
-    return st == FMB_OK ? append_matrix(s, &m) : st;
+    FMB_TRY(check_matrix(s, &m));
+    return append_matrix(s, &m);
 }
 
 /* ---- the public side ------------------------------------------------------------------------- */

@@ -28,15 +28,13 @@ fmb_status fmb_system_change_right(fmb_system *s, size_t i, const mpq_t b, fmb_s
     mpq_t *coef;
     size_t n = s->row[i].nnz;
     fmb_sysrow changed;
-    fmb_status st = fmb_rationals_new(&coef, n + 1, &s->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rationals_new(&coef, n + 1, &s->mem));
     mpq_set(coef[n], b);
     if (s->row[i].turned)
         mpq_neg(coef[n], coef[n]);
     for (size_t k = 0; k < n; k++)
         fmb_sysrow_get_q(&s->row[i], k, coef[k]);
-    st = fmb_system_add_q(s, n, s->row[i].var, coef, s->row[i].rel, coef[n]);
+    fmb_status st = fmb_system_add_q(s, n, s->row[i].var, coef, s->row[i].rel, coef[n]);
     fmb_rationals_free(coef, n + 1, &s->mem);
     if (st != FMB_OK)
         return st;

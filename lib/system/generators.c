@@ -42,13 +42,10 @@ void fmb_generators_free(fmb_generators *g)
 /* Room for one more, which is counted. */
 static fmb_status open_generator(fmb_generators *g, fmb_generator_kind kind, fmb_vec **out)
 {
-    fmb_status st =
-        fmb_mem_reserve(&g->mem, (void **)&g->vec, &g->vec_capacity, g->size + 1, sizeof *g->vec);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(&g->mem, (void **)&g->kind, &g->kind_capacity, g->size + 1,
-                             sizeof *g->kind);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(
+        fmb_mem_reserve(&g->mem, (void **)&g->vec, &g->vec_capacity, g->size + 1, sizeof *g->vec));
+    FMB_TRY(fmb_mem_reserve(&g->mem, (void **)&g->kind, &g->kind_capacity, g->size + 1,
+                            sizeof *g->kind));
     fmb_vec v = {.s = fmb_mem_get(&g->mem, (size_t)g->dim + 1, sizeof *v.s)};
     if (!v.s)
         return fmb_mem_status(&g->mem);
@@ -71,8 +68,8 @@ static fmb_status close_generator(fmb_generators *g, fmb_status st)
 fmb_status fmb_generators_append(fmb_generators *g, fmb_generator_kind kind, const fmb_vec *v)
 {
     fmb_vec *to = NULL;
-    fmb_status st = open_generator(g, kind, &to);
-    return st == FMB_OK ? close_generator(g, fmb_vec_copy(to, v, (size_t)g->dim + 1, &g->mem)) : st;
+    FMB_TRY(open_generator(g, kind, &to));
+    return close_generator(g, fmb_vec_copy(to, v, (size_t)g->dim + 1, &g->mem));
 }
 
 /* z[dim + 1] = x times the least common denominator, which is t of a vertex. */

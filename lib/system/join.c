@@ -58,9 +58,7 @@ static fmb_status check_map(fmb_system *s, const fmb_system *more, const int *va
 fmb_status fmb_system_join(fmb_system *s, const fmb_system *more, const int *var)
 {
     joiner j = {.s = s, .more = more, .map = var};
-    fmb_status st = check_map(s, more, var);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(check_map(s, more, var));
     for (size_t i = 0; i < more->rows; i++)
         j.most = more->row[i].nnz > j.most ? more->row[i].nnz : j.most;
     j.var = fmb_mem_get(&s->mem, j.most, sizeof *j.var);
@@ -68,7 +66,7 @@ fmb_status fmb_system_join(fmb_system *s, const fmb_system *more, const int *var
     for (size_t k = 0; j.coef && k < j.most; k++)
         mpq_init(j.coef[k]);
     mpq_init(j.rhs);
-    st = j.var && j.coef ? append_copies_of_rows(&j) : fmb_mem_status(&s->mem);
+    fmb_status st = j.var && j.coef ? append_copies_of_rows(&j) : fmb_mem_status(&s->mem);
     mpq_clear(j.rhs);
     for (size_t k = 0; j.coef && k < j.most; k++)
         mpq_clear(j.coef[k]);

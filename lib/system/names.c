@@ -48,11 +48,8 @@ static fmb_status reserve_slots(fmb_names *t, fmb_mem *mem)
 
 fmb_status fmb_names_add(fmb_names *t, const char *name, fmb_mem *mem)
 {
-    fmb_status st = reserve_slots(t, mem);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&t->name, &t->capacity, t->size + 1, sizeof *t->name);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(reserve_slots(t, mem));
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&t->name, &t->capacity, t->size + 1, sizeof *t->name));
     char *copy = fmb_mem_text(mem, name);
     if (!copy)
         return fmb_mem_status(mem);

@@ -97,13 +97,10 @@ static fmb_status add_name(fmb_system *s, const char *name)
     size_t n = s->names.size;
     if (n >= FMB_DIM_MAX)
         return fmb_system_refuse(s, "more than %d variables", FMB_DIM_MAX);
-    fmb_status st =
-        fmb_mem_reserve(&s->mem, (void **)&s->mark, &s->mark_capacity, n + 1, sizeof *s->mark);
-    if (st == FMB_OK)
-        st = fmb_names_add(&s->names, name, &s->mem);
-    if (st == FMB_OK)
-        s->mark[n] = (fmb_variable_mark){0};
-    return st;
+    FMB_TRY(fmb_mem_reserve(&s->mem, (void **)&s->mark, &s->mark_capacity, n + 1, sizeof *s->mark));
+    FMB_TRY(fmb_names_add(&s->names, name, &s->mem));
+    s->mark[n] = (fmb_variable_mark){0};
+    return FMB_OK;
 }
 
 /* "x<number>", without the cost of a format: short questions ask for many names. How long it is. */
@@ -145,12 +142,11 @@ fmb_status fmb_system_add_variable(fmb_system *s, const char *name, int *index)
 {
     if (!s)
         return FMB_ERR_ARG;
-    fmb_status st = name ? check_name(s, -1, name) : FMB_OK;
-    if (st == FMB_OK)
-        st = name ? add_name(s, name) : add_default_name(s);
-    if (st == FMB_OK && index)
+    FMB_TRY(name ? check_name(s, -1, name) : FMB_OK);
+    FMB_TRY(name ? add_name(s, name) : add_default_name(s));
+    if (index)
         *index = fmb_system_dim(s) - 1;
-    return st;
+    return FMB_OK;
 }
 
 const char *fmb_system_name(const fmb_system *s, int j)
@@ -162,9 +158,9 @@ fmb_status fmb_system_set_name(fmb_system *s, int j, const char *name)
 {
     if (!has_variable(s, j))
         return refuse_variable(s, j);
-    fmb_status st = check_name(s, j, name);
-    if (st != FMB_OK || strcmp(name, s->names.name[j]) == 0)
-        return st;
+    FMB_TRY(check_name(s, j, name));
+    if (strcmp(name, s->names.name[j]) == 0)
+        return FMB_OK;
     return fmb_names_change(&s->names, j, name, &s->mem);
 }
 
@@ -246,10 +242,8 @@ fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label)
 /* Room for a row of n terms, not yet counted in s->rows. */
 static fmb_status open_row(fmb_system *s, size_t n, const int *var, fmb_rel rel, fmb_sysrow **out)
 {
-    fmb_status st =
-        fmb_mem_reserve(&s->mem, (void **)&s->row, &s->row_capacity, s->rows + 1, sizeof *s->row);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(
+        fmb_mem_reserve(&s->mem, (void **)&s->row, &s->row_capacity, s->rows + 1, sizeof *s->row));
     fmb_sysrow *r = &s->row[s->rows];
     *r = (fmb_sysrow){.nnz = n, .rel = rel};
     r->var = fmb_mem_get(&s->mem, n, sizeof *r->var);
@@ -268,10 +262,8 @@ static fmb_status open_row(fmb_system *s, size_t n, const int *var, fmb_rel rel,
 fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel)
 {
     fmb_sysrow *r = NULL;
-    fmb_status st = open_row(s, n, var, rel, &r);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_vec_set_z(&r->val, n + 2, z, &s->mem);
+    FMB_TRY(open_row(s, n, var, rel, &r));
+    fmb_status st = fmb_vec_set_z(&r->val, n + 2, z, &s->mem);
     if (st != FMB_OK)
         fmb_system_free_row(s, r);
     s->rows += st == FMB_OK;
@@ -305,9 +297,7 @@ fmb_status fmb_system_append_small(fmb_system *s, size_t n, const int *var, cons
                                    fmb_rel rel)
 {
     fmb_sysrow *r = NULL;
-    fmb_status st = open_row(s, n, var, rel, &r);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_row(s, n, var, rel, &r));
     memcpy(r->val.s, z, (n + 2) * sizeof *z);
     fmb_vec_measure(&r->val, n + 2);
     s->rows++;
@@ -331,11 +321,9 @@ void fmb_system_drop_objective(fmb_system *s)
 fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from)
 {
     fmb_sysrow *r = NULL;
-    fmb_status st = open_row(to, from->nnz, from->var, from->rel, &r);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_row(to, from->nnz, from->var, from->rel, &r));
     r->turned = from->turned;
-    st = fmb_vec_copy(&r->val, &from->val, from->nnz + 2, &to->mem);
+    fmb_status st = fmb_vec_copy(&r->val, &from->val, from->nnz + 2, &to->mem);
     if (st == FMB_OK && from->label && !(r->label = fmb_mem_text(&to->mem, from->label)))
         st = fmb_mem_status(&to->mem);
     if (st != FMB_OK)
@@ -349,9 +337,7 @@ fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from)
 static fmb_status copy_variables(fmb_system *t, const fmb_system *s)
 {
     for (int j = 0; j < fmb_system_dim(s); j++) {
-        fmb_status st = add_name(t, fmb_system_name(s, j));
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(add_name(t, fmb_system_name(s, j)));
         t->mark[j] = s->mark[j];
     }
     t->asks_projection = s->asks_projection;
@@ -363,9 +349,7 @@ static fmb_status copy_objective(fmb_system *t, const fmb_system *s)
 {
     if (s->sense == FMB_SENSE_NONE)
         return FMB_OK;
-    fmb_status st = fmb_system_copy_row(t, &s->objective);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_system_copy_row(t, &s->objective));
     t->objective = t->row[--t->rows];
     t->sense = s->sense;
     return FMB_OK;
@@ -374,10 +358,8 @@ static fmb_status copy_objective(fmb_system *t, const fmb_system *s)
 fmb_status fmb_system_copy_to(const fmb_system *s, const fmb_alloc *hook, fmb_system **out)
 {
     fmb_system *t;
-    fmb_status st = fmb_system_new(0, hook, &t);
-    if (st != FMB_OK)
-        return st;
-    st = copy_variables(t, s);
+    FMB_TRY(fmb_system_new(0, hook, &t));
+    fmb_status st = copy_variables(t, s);
     if (st == FMB_OK)
         st = copy_objective(t, s);
     for (size_t i = 0; st == FMB_OK && i < s->rows; i++)

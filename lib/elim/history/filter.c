@@ -48,11 +48,10 @@ fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept)
     *kept = f->wants_silent && history;
     if (!*kept)
         return FMB_OK;
-    fmb_status st = fmb_arena_reserve(e->arena, (void **)&f->silent, &f->silent_capacity,
-                                      f->silents + 1, sizeof *f->silent);
-    if (st == FMB_OK)
-        f->silent[f->silents++] = history;
-    return st;
+    FMB_TRY(fmb_arena_reserve(e->arena, (void **)&f->silent, &f->silent_capacity, f->silents + 1,
+                              sizeof *f->silent));
+    f->silent[f->silents++] = history;
+    return FMB_OK;
 }
 
 /* ---- planes ---------------------------------------------------------------------------------- */
@@ -61,10 +60,7 @@ fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept)
 static fmb_status open_layout(fmb_layout *l, size_t words, size_t count, fmb_mem *mem)
 {
     size_t stride = (count + 7) / 8 * 8;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&l->bits, &l->capacity, words * stride, sizeof *l->bits);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&l->bits, &l->capacity, words * stride, sizeof *l->bits));
     for (size_t k = 0; k < words; k++)
         memset(&l->bits[k * stride + count], 0, (stride - count) * sizeof *l->bits);
     l->planes = (fmb_planes){l->bits, stride, words, count};
@@ -83,10 +79,10 @@ static fmb_status lay_out_uppers(fmb_elim *e, const uint32_t *upper, size_t uppe
     fmb_layout *l = &e->filter->uppers;
     if (l->ready)
         return FMB_OK;
-    fmb_status st = open_layout(l, e->words, uppers, e->run->mem);
-    for (size_t j = 0; st == FMB_OK && j < uppers; j++)
+    FMB_TRY(open_layout(l, e->words, uppers, e->run->mem));
+    for (size_t j = 0; j < uppers; j++)
         lay_out_history(l, j, e->row[upper[j]].history);
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status lay_out_live_rows(fmb_elim *e)
@@ -96,9 +92,7 @@ static fmb_status lay_out_live_rows(fmb_elim *e)
     f->wants_silent = true;
     if (f->rows.ready)
         return FMB_OK;
-    fmb_status st = open_layout(&f->rows, e->words, live + f->silents, e->run->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_layout(&f->rows, e->words, live + f->silents, e->run->mem));
     for (size_t j = 0; j < f->silents; j++)
         lay_out_history(&f->rows, j, f->silent[j]);
     for (size_t j = 0; j < live; j++)

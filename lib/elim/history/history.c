@@ -21,9 +21,7 @@ fmb_status fmb_history_number_base(fmb_elim *e)
         memset(h, 0, (e->words + e->var_words) * sizeof *h);
         h[i / 64] = (uint64_t)1 << (i % 64);
         e->row[e->base[i]].history = h;
-        fmb_status st = fmb_run_poll(e->run);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_run_poll(e->run));
     }
     return FMB_OK;
 }

@@ -12,24 +12,22 @@ static fmb_status refute_base_rows(fmb_elim *e)
 {
     if (!fmb_elim_keeps(e, FMB_STEP_REFUTE))
         return FMB_OK;
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++) {
+    for (size_t i = 0; i < e->live.size; i++) {
         if (fmb_box_refutes(e, &e->row[e->live.row[i]]))
             return fmb_box_refute(e, e->live.row[i]);
-        st = fmb_run_poll(e->run);
+        FMB_TRY(fmb_run_poll(e->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_elim_start_histories(fmb_elim *e)
 {
-    fmb_status st = fmb_box_make(e);
-    if (st == FMB_OK)
-        st = refute_base_rows(e);
-    if (st == FMB_OK && e->clash == FMB_NO_ROW)
-        st = fmb_rules_drop_base_rows(e);
-    if (st != FMB_OK || e->clash != FMB_NO_ROW)
-        return st;
+    FMB_TRY(fmb_box_make(e));
+    FMB_TRY(refute_base_rows(e));
+    if (e->clash == FMB_NO_ROW)
+        FMB_TRY(fmb_rules_drop_base_rows(e));
+    if (e->clash != FMB_NO_ROW)
+        return FMB_OK;
     e->bases = e->live.size;
     e->base = fmb_arena_get(e->arena, e->bases, sizeof *e->base);
     if (!e->base)
@@ -47,6 +45,6 @@ fmb_status fmb_elim_start_histories(fmb_elim *e)
                                          .rows_out = e->bases});
     if (!e->histories)
         return FMB_OK;
-    st = fmb_history_number_base(e);
-    return st == FMB_OK ? fmb_box_mark(e) : st;
+    FMB_TRY(fmb_history_number_base(e));
+    return fmb_box_mark(e);
 }

@@ -20,9 +20,7 @@ static fmb_status emit_row_event(fmb_elim *e, const char *dropped_by)
     uint64_t *implicit = NULL;
     if (r->history) {
         bool minimal;
-        fmb_status st = fmb_elim_minimal(e, r, &minimal);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_elim_minimal(e, r, &minimal));
         implicit = fmb_mem_get(e->run->mem, e->var_words, sizeof *implicit);
         if (!implicit)
             return fmb_mem_status(e->run->mem);
@@ -84,11 +82,9 @@ static fmb_status check_new_row(fmb_elim *e)
 
 fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int var)
 {
-    fmb_status st = fmb_elim_form_row(e, p, q, var);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_elim_form_row(e, p, q, var));
     bool wide = fmb_vec_is_wide(&e->row[e->rows].v);
-    st = fmb_history_join(e, &e->row[e->rows], &e->row[p], &e->row[q]);
+    fmb_status st = fmb_history_join(e, &e->row[e->rows], &e->row[p], &e->row[q]);
     if (st != FMB_OK)
         fmb_elim_forget_row(e, false);
     else

@@ -47,10 +47,8 @@ fmb_status fmb_elim_init(fmb_elim *e, fmb_run *run, fmb_arena *arena, int n,
     if (!e->round || !e->candidate || !e->gone || !e->filter)
         return fmb_mem_status(arena->mem);
     memset(e->gone, 0, e->var_words * sizeof *e->gone);
-    fmb_status st = hire_rules(e, o);
-    if (st == FMB_OK)
-        st = fmb_run_open_num(run, &e->num, (size_t)n + 1, o->wide_only);
-    return st;
+    FMB_TRY(hire_rules(e, o));
+    return fmb_run_open_num(run, &e->num, (size_t)n + 1, o->wide_only);
 }
 
 void fmb_elim_clear(fmb_elim *e)
@@ -93,20 +91,19 @@ static uint32_t find_sparsest_equality(const fmb_elim *e, int var)
  * smaller system with the same solutions, whose rows are not combinations of pairs. */
 static fmb_status substitute_equality(fmb_elim *e, uint32_t q, int var)
 {
-    fmb_status st = FMB_OK;
     fmb_round *round = &e->round[e->rounds];
     round->row[0] = q;
     round->rows = 1;
     round->equality = true;
     e->based = false;
-    for (size_t i = 0; st == FMB_OK && e->clash == FMB_NO_ROW && i < e->live.size; i++) {
+    for (size_t i = 0; e->clash == FMB_NO_ROW && i < e->live.size; i++) {
         uint32_t p = e->live.row[i];
         if (p == q)
             continue;
         bool has = fmb_vec_sgn(&e->row[p].v, (size_t)var) != 0;
-        st = has ? fmb_elim_combine(e, p, q, var) : fmb_list_push(e, &e->next, p);
+        FMB_TRY(has ? fmb_elim_combine(e, p, q, var) : fmb_list_push(e, &e->next, p));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- by pairing ------------------------------------------------------------------------------ */
@@ -126,7 +123,6 @@ static bool stands_with_both_signs(const fmb_elim *e, int var)
 /* The rows with var into the round, lower ones first, the others to the next live rows. */
 static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lowers)
 {
-    fmb_status st = FMB_OK;
     round->rows = *lowers = 0;
     for (int sign = -1; sign <= 1; sign += 2) {
         for (size_t i = 0; i < e->live.size; i++)
@@ -134,10 +130,10 @@ static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lower
                 round->row[round->rows++] = e->live.row[i];
         *lowers = sign < 0 ? round->rows : *lowers;
     }
-    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++)
+    for (size_t i = 0; i < e->live.size; i++)
         if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)round->var) == 0)
-            st = fmb_list_push(e, &e->next, e->live.row[i]);
-    return st;
+            FMB_TRY(fmb_list_push(e, &e->next, e->live.row[i]));
+    return FMB_OK;
 }
 
 /* Does no row of the round name another variable? */
@@ -155,14 +151,13 @@ static bool names_no_other_variable(const fmb_elim *e, const fmb_round *round)
 static fmb_status eliminate_by_pairs(fmb_elim *e, int var)
 {
     fmb_round *round = &e->round[e->rounds];
-    fmb_status st = FMB_OK;
     size_t *lowers = &e->at.lowers;
     if (!e->based && stands_with_both_signs(e, var))
-        st = fmb_elim_start_histories(e);
-    if (st == FMB_OK && e->clash == FMB_NO_ROW)
-        st = sort_rows_by_sign(e, round, lowers);
-    if (st != FMB_OK || e->clash != FMB_NO_ROW || *lowers == 0 || *lowers == round->rows)
-        return st;
+        FMB_TRY(fmb_elim_start_histories(e));
+    if (e->clash == FMB_NO_ROW)
+        FMB_TRY(sort_rows_by_sign(e, round, lowers));
+    if (e->clash != FMB_NO_ROW || *lowers == 0 || *lowers == round->rows)
+        return FMB_OK;
     e->since++;
     fmb_set_put(e->gone, (size_t)var);
     e->run->stats.rounds++;
@@ -276,15 +271,15 @@ static fmb_status eliminate_variable(fmb_elim *e, int var)
         return fmb_mem_status(e->arena->mem);
     e->next.size = 0;
     uint32_t q = find_sparsest_equality(e, var);
-    fmb_status st = q != FMB_NO_ROW ? substitute_equality(e, q, var) : eliminate_by_pairs(e, var);
-    return st == FMB_OK ? end_round(e) : st;
+    FMB_TRY(q != FMB_NO_ROW ? substitute_equality(e, q, var) : eliminate_by_pairs(e, var));
+    return end_round(e);
 }
 
 /* The round in which the last call paused. */
 static fmb_status go_on_with_round(fmb_elim *e)
 {
-    fmb_status st = fmb_elim_pair(e, &e->round[e->rounds]);
-    return st == FMB_OK ? end_round(e) : st;
+    FMB_TRY(fmb_elim_pair(e, &e->round[e->rounds]));
+    return end_round(e);
 }
 
 /* Is there a variable to eliminate, but none by substitution? */
@@ -317,14 +312,13 @@ static bool grows_too_much(const fmb_elim *e, int var, double growth)
  * before the choice: what goes then is not counted in it. */
 static fmb_status choose_next_variable(fmb_elim *e, const bool *drop, int *var)
 {
-    fmb_status st = FMB_OK;
     *var = -1;
     if (!e->based && is_ready_to_pair(e, drop))
-        st = fmb_elim_start_histories(e);
-    if (st == FMB_OK && e->clash == FMB_NO_ROW)
-        st = fmb_elim_choose(e, drop, var);
-    if (st != FMB_OK || e->clash != FMB_NO_ROW || *var < 0)
-        return st;
+        FMB_TRY(fmb_elim_start_histories(e));
+    if (e->clash == FMB_NO_ROW)
+        FMB_TRY(fmb_elim_choose(e, drop, var));
+    if (e->clash != FMB_NO_ROW || *var < 0)
+        return FMB_OK;
     double growth = e->cheap_only || e->growth > 0 ? fmb_elim_growth(e, *var) : 0;
     if (e->cheap_only && growth > 0) {
         *var = -1;

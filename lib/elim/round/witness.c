@@ -93,9 +93,7 @@ static fmb_status choose_value_of_round(const fmb_elim *e, const fmb_round *roun
     g->has_lower = g->has_upper = g->lower_open = g->upper_open = false;
     for (size_t i = 0; i < round->rows; i++) {
         const fmb_derived *r = &e->row[round->row[i]];
-        fmb_status st = bound_by_row(e, r, round->var, kind, x, g);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(bound_by_row(e, r, round->var, kind, x, g));
         if (round->equality) {
             mpq_set(x[round->var], g->value);
             return FMB_OK;

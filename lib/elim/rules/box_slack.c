@@ -122,12 +122,11 @@ bool fmb_box_refutes(const fmb_elim *e, const fmb_derived *r)
 
 fmb_status fmb_box_refute(fmb_elim *e, uint32_t r)
 {
-    fmb_status st = FMB_OK;
-    for (size_t c = 0; st == FMB_OK && c < (size_t)e->n && e->clash == FMB_NO_ROW; c++) {
+    for (size_t c = 0; c < (size_t)e->n && e->clash == FMB_NO_ROW; c++) {
         int sign = fmb_vec_sgn(&e->row[r].v, c);
         if (sign == 0)
             continue;
-        st = fmb_elim_derive_row(e, r, e->box.row[sign < 0][c], (int)c, &r);
+        FMB_TRY(fmb_elim_derive_row(e, r, e->box.row[sign < 0][c], (int)c, &r));
     }
-    return st;
+    return FMB_OK;
 }

@@ -15,8 +15,7 @@ static void note_drop_of_rule(fmb_elim *e, int worker, uint64_t dropped)
 fmb_status fmb_rules_drop_base_rows(fmb_elim *e)
 {
     fmb_window w;
-    fmb_status st = FMB_OK;
-    for (int k = 0; st == FMB_OK && k < e->workers; k++) {
+    for (int k = 0; k < e->workers; k++) {
         const fmb_rule *rule = e->worker[k].rule;
         size_t left = 0;
         if (!rule->drop_row || (rule->flags & FMB_RULE_NEEDS_HISTORY))
@@ -30,9 +29,9 @@ fmb_status fmb_rules_drop_base_rows(fmb_elim *e)
         e->worker[k].dropped += e->live.size - left;
         e->run->stats.rows_dropped += e->live.size - left;
         e->live.size = left;
-        st = fmb_window_close(&w);
+        FMB_TRY(fmb_window_close(&w));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* What each rule adds to drop is its own. */
@@ -74,9 +73,7 @@ fmb_status fmb_rules_drop_row(fmb_elim *e, const fmb_rule **by)
         fmb_window w;
         fmb_window_open(&w, e, rule, e->row[e->rows].var);
         bool drop = rule->drop_row(e->worker[k].state, &w.view, e->rows);
-        fmb_status st = fmb_window_close(&w);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_window_close(&w));
         if (drop) {
             *by = rule;
             note_drop_of_rule(e, k, 1);

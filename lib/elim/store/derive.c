@@ -75,16 +75,14 @@ static fmb_status give_parent_its_share(sweep *s, uint32_t parent, const mpz_t f
     }
     mpz_mul(s->u, s->share, factor);
     mpq_set_z(s->weight, s->u);
-    fmb_status st = fmb_weights_add(&s->all, parent, s->weight, mem);
-    if (st == FMB_OK)
-        s->slot[parent] = (uint32_t)s->all.size;
-    return st;
+    FMB_TRY(fmb_weights_add(&s->all, parent, s->weight, mem));
+    s->slot[parent] = (uint32_t)s->all.size;
+    return FMB_OK;
 }
 
 static fmb_status give_weight_to_parents(const fmb_elim *e, sweep *s, uint32_t row)
 {
     const fmb_derived *r = &e->row[row];
-    fmb_status st = FMB_OK;
     if (r->q != FMB_NO_ROW) {
         find_factors(e, r, s);
     } else { /* the reverse of row p */
@@ -92,9 +90,8 @@ static fmb_status give_weight_to_parents(const fmb_elim *e, sweep *s, uint32_t r
         mpq_set_ui(s->content, 1, 1);
     }
     take_weight(s, s->slot[row] - 1);
-    st = give_parent_its_share(s, r->p, s->alpha, e->run->mem);
-    return st == FMB_OK && r->q != FMB_NO_ROW ? give_parent_its_share(s, r->q, s->beta, e->run->mem)
-                                              : st;
+    FMB_TRY(give_parent_its_share(s, r->p, s->alpha, e->run->mem));
+    return r->q != FMB_NO_ROW ? give_parent_its_share(s, r->q, s->beta, e->run->mem) : FMB_OK;
 }
 
 static bool has_weight(const sweep *s, uint32_t row)
@@ -105,35 +102,33 @@ static bool has_weight(const sweep *s, uint32_t row)
 /* What is left are base rows, last ones first. */
 static fmb_status sweep_down_to_base(const fmb_elim *e, sweep *s, uint32_t top, fmb_weights *base)
 {
-    fmb_status st = FMB_OK;
-    for (uint32_t i = top + 1; st == FMB_OK && i-- > 0;)
+    for (uint32_t i = top + 1; i-- > 0;)
         if (has_weight(s, i) && e->row[i].p != FMB_NO_ROW)
-            st = give_weight_to_parents(e, s, i);
-    for (uint32_t i = top + 1; st == FMB_OK && i-- > 0;) {
+            FMB_TRY(give_weight_to_parents(e, s, i));
+    for (uint32_t i = top + 1; i-- > 0;) {
         if (!has_weight(s, i))
             continue;
         mpq_set_num(s->weight, mpq_numref(s->all.value[s->slot[i] - 1]));
         mpq_set_den(s->weight, s->denominator);
         mpq_canonicalize(s->weight);
-        st = fmb_weights_add(base, i, s->weight, e->run->mem);
+        FMB_TRY(fmb_weights_add(base, i, s->weight, e->run->mem));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Start the sweep with the rows of w: rows named twice are added up. */
 static fmb_status start_sweep(sweep *s, const fmb_weights *w, fmb_mem *mem)
 {
-    fmb_status st = FMB_OK;
     mpz_set_ui(s->denominator, 1);
     mpz_set_ui(s->alpha, 1);
     for (size_t i = 0; i < w->size; i++)
         mpz_lcm(s->denominator, s->denominator, mpq_denref(w->value[i]));
-    for (size_t i = 0; st == FMB_OK && i < w->size; i++) {
+    for (size_t i = 0; i < w->size; i++) {
         mpz_divexact(s->u, s->denominator, mpq_denref(w->value[i]));
         mpz_mul(s->share, s->u, mpq_numref(w->value[i]));
-        st = give_parent_its_share(s, w->index[i], s->alpha, mem);
+        FMB_TRY(give_parent_its_share(s, w->index[i], s->alpha, mem));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_elim_derive(const fmb_elim *e, fmb_weights *w)

@@ -4,10 +4,8 @@
 /* An empty row at the end of the store, not counted yet. */
 static fmb_status open_row(fmb_elim *e, fmb_derived **out)
 {
-    fmb_status st = fmb_arena_reserve(e->arena, (void **)&e->row, &e->row_capacity, e->rows + 1,
-                                      sizeof *e->row);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_arena_reserve(e->arena, (void **)&e->row, &e->row_capacity, e->rows + 1,
+                              sizeof *e->row));
     if (e->rows >= FMB_NO_ROW)
         return FMB_ERR_MEMORY;
     fmb_derived *r = &e->row[e->rows];
@@ -41,11 +39,10 @@ void fmb_elim_forget_row(fmb_elim *e, bool keep_history)
 
 fmb_status fmb_list_push(fmb_elim *e, fmb_list *list, uint32_t row)
 {
-    fmb_status st = fmb_arena_reserve(e->arena, (void **)&list->row, &list->capacity,
-                                      list->size + 1, sizeof *list->row);
-    if (st == FMB_OK)
-        list->row[list->size++] = row;
-    return st;
+    FMB_TRY(fmb_arena_reserve(e->arena, (void **)&list->row, &list->capacity, list->size + 1,
+                              sizeof *list->row));
+    list->row[list->size++] = row;
+    return FMB_OK;
 }
 
 /* Count the row at the end of the store, or forget it if something went wrong. */
@@ -62,10 +59,8 @@ fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel)
 {
     fmb_derived *r = NULL;
     size_t n = (size_t)e->n + 1;
-    fmb_status st = open_row(e, &r);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_vec_copy(&r->v, v, n, e->run->mem);
+    FMB_TRY(open_row(e, &r));
+    fmb_status st = fmb_vec_copy(&r->v, v, n, e->run->mem);
     if (st == FMB_OK && e->num.wide_only)
         st = fmb_vec_widen(&r->v, n, e->run->mem);
     r->strict = rel == FMB_LT;
@@ -82,12 +77,10 @@ fmb_status fmb_elim_split(fmb_elim *e, uint32_t i)
 {
     fmb_derived *r = NULL;
     size_t n = (size_t)e->n + 1;
-    fmb_status st = open_row(e, &r);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_row(e, &r));
     e->row[i].equality = false;
     r->p = i;
-    st = fmb_vec_copy(&r->v, &e->row[i].v, n, e->run->mem);
+    fmb_status st = fmb_vec_copy(&r->v, &e->row[i].v, n, e->run->mem);
     if (st == FMB_OK)
         fmb_vec_negate(&r->v, n);
     note_variables_of_row(e, r);
@@ -111,16 +104,14 @@ size_t fmb_elim_minor_bits(const fmb_elim *e)
 fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
 {
     fmb_derived *r = NULL;
-    fmb_status st = open_row(e, &r);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_row(e, &r));
     const fmb_derived *a = &e->row[p], *b = &e->row[q];
     r->p = p;
     r->q = q;
     r->var = var;
     r->strict = a->strict || b->strict;
     r->equality = a->equality && b->equality;
-    st = fmb_vec_cancel(&r->v, &a->v, &b->v, (size_t)e->n + 1, (size_t)var, &e->num);
+    fmb_status st = fmb_vec_cancel(&r->v, &a->v, &b->v, (size_t)e->n + 1, (size_t)var, &e->num);
     e->wide += st == FMB_OK && fmb_vec_is_wide(&r->v);
     if (st == FMB_OK && e->budget > 0 && e->rows + e->wide_more * e->wide >= e->budget) {
         e->over_budget = true;
@@ -138,9 +129,7 @@ fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
 
 fmb_status fmb_elim_derive_row(fmb_elim *e, uint32_t p, uint32_t q, int var, uint32_t *out)
 {
-    fmb_status st = fmb_elim_form_row(e, p, q, var);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_elim_form_row(e, p, q, var));
     *out = (uint32_t)e->rows++;
     if (fmb_elim_is_constant(e, &e->row[*out]) && fmb_elim_is_false(e, &e->row[*out]))
         e->clash = *out;

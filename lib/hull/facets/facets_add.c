@@ -8,15 +8,12 @@
 static fmb_status number_generator(fmb_facets *f)
 {
     fmb_mem *mem = f->num.mem;
-    fmb_status st = fmb_mem_reserve(mem, (void **)&f->generator, &f->generator_capacity,
-                                    f->generators + 1, sizeof *f->generator);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&f->rounded, &f->rounded_capacity,
-                             (f->generators + 1) * f->d, sizeof *f->rounded);
-    if (st == FMB_OK && f->generators == 64 * f->words)
-        st = fmb_facets_widen_sets(f);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->generator, &f->generator_capacity, f->generators + 1,
+                            sizeof *f->generator));
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->rounded, &f->rounded_capacity,
+                            (f->generators + 1) * f->d, sizeof *f->rounded));
+    if (f->generators == 64 * f->words)
+        FMB_TRY(fmb_facets_widen_sets(f));
     fmb_vec v = {.s = fmb_mem_get(mem, f->d, sizeof *v.s)};
     if (!v.s)
         return fmb_mem_status(mem);
@@ -46,27 +43,26 @@ static fmb_status find_side(fmb_facets *f, uint32_t at)
     fmb_facet *a = &f->facet[at];
     a->round = f->round;
     fmb_run_count(f->run, 8 + 2 * f->d);
-    fmb_status st = fmb_facets_side(f, at, &f->g, f->near, &a->side);
-    if (st == FMB_OK && a->side < 0)
-        st = fmb_facets_list(f, &f->seen, &f->seens, &f->seen_capacity, at);
-    else if (st == FMB_OK && a->side == 0)
-        st = fmb_facets_list(f, &f->touched, &f->toucheds, &f->touched_capacity, at);
-    return st;
+    FMB_TRY(fmb_facets_side(f, at, &f->g, f->near, &a->side));
+    if (a->side < 0)
+        FMB_TRY(fmb_facets_list(f, &f->seen, &f->seens, &f->seen_capacity, at));
+    else if (a->side == 0)
+        FMB_TRY(fmb_facets_list(f, &f->touched, &f->toucheds, &f->touched_capacity, at));
+    return FMB_OK;
 }
 
 /* From one facet that sees it to all that do, and those beside them. */
 static fmb_status reach_from_facets_that_see(fmb_facets *f)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < f->seens; i++) {
+    for (size_t i = 0; i < f->seens; i++) {
         uint32_t v = f->seen[i];
-        for (size_t k = 0; st == FMB_OK && k < f->facet[v].nexts; k++) {
+        for (size_t k = 0; k < f->facet[v].nexts; k++) {
             uint32_t n = f->facet[v].next[k];
             if (f->facet[n].round != f->round)
-                st = find_side(f, n);
+                FMB_TRY(find_side(f, n));
         }
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Facets are the vertices of a polytope in the dual space, ridges its edges; the generator is a
@@ -76,15 +72,14 @@ static fmb_status reach_from_facets_that_see(fmb_facets *f)
  * face. The search for one begins at slot number first. */
 static fmb_status find_sides(fmb_facets *f, size_t first)
 {
-    fmb_status st = FMB_OK;
     f->seens = f->toucheds = 0;
     f->round++;
-    for (size_t k = 0; st == FMB_OK && k < f->slots && f->seens == 0; k++) {
+    for (size_t k = 0; k < f->slots && f->seens == 0; k++) {
         size_t i = (first + k) % f->slots;
         if (f->facet[i].alive)
-            st = find_side(f, (uint32_t)i);
+            FMB_TRY(find_side(f, (uint32_t)i));
     }
-    return st == FMB_OK ? reach_from_facets_that_see(f) : st;
+    return reach_from_facets_that_see(f);
 }
 
 static fmb_status load_generator(fmb_facets *f, fmb_status st)
@@ -115,22 +110,20 @@ static fmb_status add_generator_at_hand(fmb_facets *f, size_t at, bool *grown)
 
 fmb_status fmb_facets_add_near(fmb_facets *f, size_t at, mpz_t *g, bool *grown)
 {
-    fmb_status st = load_generator(f, fmb_vec_set_z(&f->g, f->d, g, f->num.mem));
-    return st == FMB_OK ? add_generator_at_hand(f, at, grown) : st;
+    FMB_TRY(load_generator(f, fmb_vec_set_z(&f->g, f->d, g, f->num.mem)));
+    return add_generator_at_hand(f, at, grown);
 }
 
 fmb_status fmb_facets_add_vec(fmb_facets *f, const fmb_vec *v, bool *grown)
 {
-    fmb_status st = load_generator(f, fmb_vec_copy(&f->g, v, f->d, f->num.mem));
-    return st == FMB_OK ? add_generator_at_hand(f, 0, grown) : st;
+    FMB_TRY(load_generator(f, fmb_vec_copy(&f->g, v, f->d, f->num.mem)));
+    return add_generator_at_hand(f, 0, grown);
 }
 
 fmb_status fmb_facets_add_beyond(fmb_facets *f, const fmb_vec *v, size_t at)
 {
-    fmb_status st = load_generator(f, fmb_vec_copy(&f->g, v, f->d, f->num.mem));
-    if (st == FMB_OK)
-        st = find_sides(f, at);
-    if (st == FMB_OK)
-        st = number_generator(f);
-    return st == FMB_OK ? fmb_facets_cut(f, f->generators - 1) : st;
+    FMB_TRY(load_generator(f, fmb_vec_copy(&f->g, v, f->d, f->num.mem)));
+    FMB_TRY(find_sides(f, at));
+    FMB_TRY(number_generator(f));
+    return fmb_facets_cut(f, f->generators - 1);
 }

@@ -70,9 +70,7 @@ fmb_status fmb_facets_take_normal(fmb_facets *f, size_t at, const fmb_facet *cop
     fmb_facet *a = &f->facet[at];
     if (a->known || !copy->known)
         return FMB_OK;
-    fmb_status st = fmb_vec_copy(&a->normal, &copy->normal, f->d + 1, f->num.mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_vec_copy(&a->normal, &copy->normal, f->d + 1, f->num.mem));
     a->known = true;
     fmb_facets_round_normal(f, a);
     return FMB_OK;

@@ -58,11 +58,8 @@ static fmb_status combine_normals(fmb_facets *f, uint32_t at, uint32_t n, uint32
 static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, size_t generator)
 {
     uint32_t at;
-    fmb_status st = fmb_facets_open_slot(f, &at);
-    if (st == FMB_OK)
-        st = combine_normals(f, at, n, v);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_facets_open_slot(f, &at));
+    FMB_TRY(combine_normals(f, at, n, v));
     fmb_facet *a = &f->facet[at];
     fmb_run_count(f->run, 100 + 12 * f->d + 2 * f->words);
     for (size_t w = 0; w < f->words; w++) {
@@ -71,27 +68,25 @@ static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, s
     }
     fmb_facet_put_on(a, generator);
     fmb_facets_part(f, n, v);
-    st = fmb_facets_join(f, at, n);
-    return st == FMB_OK ? fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, at) : st;
+    FMB_TRY(fmb_facets_join(f, at, n));
+    return fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, at);
 }
 
 static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
 {
-    fmb_status st = FMB_OK;
     f->mades = 0;
-    for (size_t i = 0; st == FMB_OK && i < f->seens; i++) {
+    for (size_t i = 0; i < f->seens; i++) {
         uint32_t v = f->seen[i];
-        for (size_t k = 0; st == FMB_OK && k < f->facet[v].nexts; k++) {
+        for (size_t k = 0; k < f->facet[v].nexts; k++) {
             uint32_t n = f->facet[v].next[k];
             if (f->facet[n].side > 0)
-                st = make_facet_over_ridge(f, v, n, generator);
+                FMB_TRY(make_facet_over_ridge(f, v, n, generator));
             else if (f->facet[n].side == 0)
                 fmb_facets_part(f, n, v);
         }
-        if (st == FMB_OK)
-            st = fmb_run_poll(f->run);
+        FMB_TRY(fmb_run_poll(f->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- the whole way --------------------------------------------------------------------------- */
@@ -99,25 +94,23 @@ static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
 /* Facets that stay were valued for a facet that is new, whose first neighbour they are. */
 static fmb_status forget_values(fmb_facets *f)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < f->mades; i++) {
+    for (size_t i = 0; i < f->mades; i++) {
         fmb_facet *n = &f->facet[f->facet[f->made[i]].next[0]];
         if (!n->valued)
             continue;
         n->valued = false;
-        st = fmb_facets_tidy(f, &n->normal);
+        FMB_TRY(fmb_facets_tidy(f, &n->normal));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_facets_cut(fmb_facets *f, size_t generator)
 {
     for (size_t i = 0; i < f->toucheds; i++)
         fmb_facet_put_on(&f->facet[f->touched[i]], generator);
-    fmb_status st = replace_facets_that_see(f, generator);
-    for (size_t i = 0; st == FMB_OK && i < f->seens; i++)
+    FMB_TRY(replace_facets_that_see(f, generator));
+    for (size_t i = 0; i < f->seens; i++)
         fmb_facets_close_slot(f, f->seen[i]);
-    if (st == FMB_OK)
-        st = forget_values(f);
-    return st == FMB_OK ? fmb_facets_join_new(f) : st;
+    FMB_TRY(forget_values(f));
+    return fmb_facets_join_new(f);
 }

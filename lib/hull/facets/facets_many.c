@@ -150,17 +150,17 @@ static fmb_status look_for_new_facet(crowd *c, uint32_t i)
                  look_for_sure_facet(c, i, f->touched, f->toucheds, &doubtful);
     if (waits || !doubtful)
         return FMB_OK;
-    fmb_status st = look_for_facet(c, i, f->made, f->mades, &waits);
-    return st == FMB_OK ? look_for_facet(c, i, f->touched, f->toucheds, &waits) : st;
+    FMB_TRY(look_for_facet(c, i, f->made, f->mades, &waits));
+    return look_for_facet(c, i, f->touched, f->toucheds, &waits);
 }
 
 static fmb_status open_queues(crowd *c)
 {
-    fmb_status st =
-        fmb_mem_reserve(c->f->num.mem, (void **)&c->at, &c->capacity, c->f->slots, sizeof *c->at);
-    for (; st == FMB_OK && c->slots < c->f->slots; c->slots++)
+    FMB_TRY(
+        fmb_mem_reserve(c->f->num.mem, (void **)&c->at, &c->capacity, c->f->slots, sizeof *c->at));
+    for (; c->slots < c->f->slots; c->slots++)
         c->at[c->slots] = (queue){.first = NOBODY};
-    return st;
+    return FMB_OK;
 }
 
 /* ---- all of them ----------------------------------------------------------------------------- */
@@ -168,52 +168,48 @@ static fmb_status open_queues(crowd *c)
 static fmb_status add_from_crowd(crowd *c, size_t i)
 {
     bool grown;
-    fmb_status st = fmb_run_poll(c->f->run);
-    return st == FMB_OK ? fmb_facets_add_vec(c->f, &c->v[i], &grown) : st;
+    FMB_TRY(fmb_run_poll(c->f->run));
+    return fmb_facets_add_vec(c->f, &c->v[i], &grown);
 }
 
 /* Those farthest out both ways in each coordinate. */
 static fmb_status add_outermost_vectors(crowd *c)
 {
-    fmb_status st = FMB_OK;
     size_t d = c->f->d;
-    for (size_t k = 0; st == FMB_OK && k < d && c->size > 0; k++) {
+    for (size_t k = 0; k < d && c->size > 0; k++) {
         size_t least = 0, most = 0;
         for (size_t i = 1; i < c->size; i++) {
             least = c->near[i * d + k] < c->near[least * d + k] ? i : least;
             most = c->near[i * d + k] > c->near[most * d + k] ? i : most;
         }
-        st = add_from_crowd(c, least);
-        if (st == FMB_OK)
-            st = add_from_crowd(c, most);
+        FMB_TRY(add_from_crowd(c, least));
+        FMB_TRY(add_from_crowd(c, most));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* After this all vectors are in the span of the generators. */
 static fmb_status add_vectors_off_the_span(crowd *c)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < c->size && c->f->rank < c->f->d; i++)
+    for (size_t i = 0; i < c->size && c->f->rank < c->f->d; i++)
         if (fmb_facets_is_off_span(c->f, &c->v[i]))
-            st = add_from_crowd(c, i);
-    return st;
+            FMB_TRY(add_from_crowd(c, i));
+    return FMB_OK;
 }
 
 static fmb_status send_all_to_facets(crowd *c)
 {
     fmb_facets *f = c->f;
     f->mades = f->toucheds = 0;
-    fmb_status st = open_queues(c);
-    for (uint32_t a = 0; st == FMB_OK && a < f->slots; a++)
+    FMB_TRY(open_queues(c));
+    for (uint32_t a = 0; a < f->slots; a++)
         if (f->facet[a].alive)
-            st = fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, a);
-    for (uint32_t i = 0; st == FMB_OK && i < c->size; i++) {
-        st = look_for_new_facet(c, i);
-        if (st == FMB_OK)
-            st = fmb_run_poll(f->run);
+            FMB_TRY(fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, a));
+    for (uint32_t i = 0; i < c->size; i++) {
+        FMB_TRY(look_for_new_facet(c, i));
+        FMB_TRY(fmb_run_poll(f->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The first one at facet a becomes a generator; those at facets that go move on. Facets count as
@@ -222,24 +218,21 @@ static fmb_status add_first_at_facet(crowd *c, uint32_t a)
 {
     uint32_t i = c->at[a].first;
     c->at[a].first = c->next[i];
-    fmb_status st = fmb_run_poll(c->f->run);
-    if (st == FMB_OK)
-        st = fmb_facets_add_beyond(c->f, &c->v[i], a);
-    if (st == FMB_OK)
-        st = fmb_run_rows(c->f->run, c->f->alive);
-    if (st == FMB_OK)
-        st = open_queues(c);
-    for (size_t k = 0; st == FMB_OK && k < c->f->seens; k++) {
+    FMB_TRY(fmb_run_poll(c->f->run));
+    FMB_TRY(fmb_facets_add_beyond(c->f, &c->v[i], a));
+    FMB_TRY(fmb_run_rows(c->f->run, c->f->alive));
+    FMB_TRY(open_queues(c));
+    for (size_t k = 0; k < c->f->seens; k++) {
         queue *q = &c->at[c->f->seen[k]];
         uint32_t next = q->first;
         *q = (queue){.first = NOBODY};
-        while (st == FMB_OK && next != NOBODY) {
+        while (next != NOBODY) {
             i = next;
             next = c->next[i];
-            st = look_for_new_facet(c, i);
+            FMB_TRY(look_for_new_facet(c, i));
         }
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The next facet at which somebody waits, from the one whose turn it is; NOBODY: there is none. */
@@ -288,14 +281,11 @@ fmb_status fmb_facet_crowd_open(fmb_facets *f, const fmb_vec *v, size_t size, si
     *c = (crowd){.f = f, .v = v, .size = size, .t = t};
     c->near = fmb_mem_get(mem, size * f->d, sizeof *c->near);
     c->next = fmb_mem_get(mem, size, sizeof *c->next);
-    fmb_status st = c->near && c->next ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK) {
-        scale_vectors(c);
-        st = add_outermost_vectors(c);
-    }
-    if (st == FMB_OK)
-        st = add_vectors_off_the_span(c);
-    return st == FMB_OK ? send_all_to_facets(c) : st;
+    FMB_TRY(c->near && c->next ? FMB_OK : fmb_mem_status(mem));
+    scale_vectors(c);
+    FMB_TRY(add_outermost_vectors(c));
+    FMB_TRY(add_vectors_off_the_span(c));
+    return send_all_to_facets(c);
 }
 
 fmb_status fmb_facets_add_all(fmb_facets *f, const fmb_vec *v, size_t size, size_t t)

@@ -122,9 +122,7 @@ static fmb_status take_minors(const minors *m, fmb_vec *normal, fmb_mem *mem)
     uint32_t all = ((uint32_t)1 << m->d) - 1;
     if (!m->z && !normal->z && take_short_minors(m, normal))
         return FMB_OK;
-    fmb_status st = fmb_vec_widen(normal, m->d + 1, mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_vec_widen(normal, m->d + 1, mem));
     for (size_t j = 0; j < m->d; j++) {
         uint32_t set = all ^ (uint32_t)1 << j;
         if (m->z)

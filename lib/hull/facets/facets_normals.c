@@ -37,10 +37,8 @@ static fmb_status find_normals_of_chunk(void *self, size_t k, fmb_run *run)
 {
     normals *w = self;
     fmb_num num;
-    fmb_status st = fmb_run_open_num(run, &num, w->f->d + 1, false);
-    if (st != FMB_OK)
-        return st;
-    st = find_normals_by(w, k, &num, run);
+    FMB_TRY(fmb_run_open_num(run, &num, w->f->d + 1, false));
+    fmb_status st = find_normals_by(w, k, &num, run);
     fmb_num_clear(&num);
     return st;
 }
@@ -61,14 +59,12 @@ static fmb_status find_normals_together(fmb_facets *f)
 
 fmb_status fmb_facets_need_all_normals(fmb_facets *f)
 {
-    fmb_status st = FMB_OK;
     if (f->run->threads > 1 && f->d <= FMB_FACETS_FEW && f->alive >= FACETS_FOR_THREADS)
         return find_normals_together(f);
-    for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
+    for (size_t i = 0; i < f->slots; i++) {
         if (f->facet[i].alive)
-            st = fmb_facets_need_normal(f, i);
-        if (st == FMB_OK)
-            st = fmb_run_poll(f->run);
+            FMB_TRY(fmb_facets_need_normal(f, i));
+        FMB_TRY(fmb_run_poll(f->run));
     }
-    return st;
+    return FMB_OK;
 }

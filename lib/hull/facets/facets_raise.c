@@ -57,11 +57,9 @@ static fmb_status open_base(fmb_facets *f, size_t e, size_t generator)
 {
     uint32_t base;
     size_t slots = f->slots;
-    fmb_status st = fmb_facets_open_slot(f, &base);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_facets_open_slot(f, &base));
     fmb_facet *b = &f->facet[base];
-    st = fmb_vec_copy(&b->normal, &f->equation[e], f->d + 1, f->num.mem);
+    fmb_status st = fmb_vec_copy(&b->normal, &f->equation[e], f->d + 1, f->num.mem);
     if (st == FMB_OK)
         st = fmb_facets_tidy(f, &b->normal);
     b->known = st == FMB_OK;

@@ -69,10 +69,8 @@ static fmb_status list_holders(fmb_facets *f)
 {
     size_t n = count_candidates(f), words = f->holder_words = fmb_set_words(n);
     size_t size = 64 * f->words * words, scratch = least_in_common(f) * words;
-    fmb_status st = fmb_mem_reserve(f->num.mem, (void **)&f->holder, &f->holder_capacity,
-                                    size + scratch, sizeof *f->holder);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(f->num.mem, (void **)&f->holder, &f->holder_capacity, size + scratch,
+                            sizeof *f->holder));
     memset(f->holder, 0, size * sizeof *f->holder);
     for (size_t i = 0; i < n; i++) {
         const fmb_facet *a = &f->facet[candidate(f, i)];
@@ -157,10 +155,9 @@ static fmb_status join_if_neighbours(fmb_facets *f, size_t i, size_t j)
 /* Candidate i and those before it. */
 static fmb_status join_each(fmb_facets *f, size_t i)
 {
-    fmb_status st = FMB_OK;
-    for (size_t j = 0; st == FMB_OK && j < i && !has_all_neighbours(f, candidate(f, i)); j++)
-        st = join_if_neighbours(f, i, j);
-    return st;
+    for (size_t j = 0; j < i && !has_all_neighbours(f, candidate(f, i)); j++)
+        FMB_TRY(join_if_neighbours(f, i, j));
+    return FMB_OK;
 }
 
 /* The same where holders are listed. */
@@ -185,15 +182,14 @@ static size_t work_of_near(const fmb_facets *f, size_t i)
 fmb_status fmb_facets_join_new(fmb_facets *f)
 {
     bool listed = !are_counts_enough(f);
-    fmb_status st = listed ? list_holders(f) : FMB_OK;
-    for (size_t i = 1; st == FMB_OK && i < count_candidates(f); i++) {
+    FMB_TRY(listed ? list_holders(f) : FMB_OK);
+    for (size_t i = 1; i < count_candidates(f); i++) {
         f->pairs += i;
         fmb_run_count(f->run, listed ? work_of_near(f, i) : i * (3 + f->words));
         if (f->most_pairs > 0 && f->pairs > f->most_pairs)
             return FMB_LIMIT;
-        st = listed ? join_near(f, i) : join_each(f, i);
-        if (st == FMB_OK)
-            st = fmb_run_poll(f->run);
+        FMB_TRY(listed ? join_near(f, i) : join_each(f, i));
+        FMB_TRY(fmb_run_poll(f->run));
     }
-    return st;
+    return FMB_OK;
 }

@@ -12,9 +12,9 @@ fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const dou
     if (!a->known && fmb_facets_refresh(f, a) && fmb_facets_guess_side(f, a, near, side))
         return FMB_OK;
     if (!a->known) {
-        fmb_status st = fmb_facets_need_normal(f, at);
-        if (st != FMB_OK || fmb_facets_guess_side(f, a, near, side))
-            return st;
+        FMB_TRY(fmb_facets_need_normal(f, at));
+        if (fmb_facets_guess_side(f, a, near, side))
+            return FMB_OK;
     }
     *side = fmb_vec_product_sign(&a->normal, g, f->d, &f->num);
     return FMB_OK;

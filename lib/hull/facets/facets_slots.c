@@ -30,10 +30,8 @@ fmb_status fmb_facets_widen_sets(fmb_facets *f)
 static fmb_status make_slot(fmb_facets *f, uint32_t *out)
 {
     fmb_mem *mem = f->num.mem;
-    fmb_status st = fmb_mem_reserve(mem, (void **)&f->facet, &f->facet_capacity, f->slots + 1,
-                                    sizeof *f->facet);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->facet, &f->facet_capacity, f->slots + 1,
+                            sizeof *f->facet));
     fmb_facet *a = &f->facet[f->slots++];
     *a = (fmb_facet){0};
     a->normal.s = fmb_mem_zero(mem, f->d + 1, sizeof *a->normal.s);
@@ -78,10 +76,9 @@ void fmb_facets_close_slot(fmb_facets *f, uint32_t a)
 fmb_status fmb_facets_list(fmb_facets *f, uint32_t **list, size_t *size, size_t *capacity,
                            uint32_t a)
 {
-    fmb_status st = fmb_mem_reserve(f->num.mem, (void **)list, capacity, *size + 1, sizeof **list);
-    if (st == FMB_OK)
-        (*list)[(*size)++] = a;
-    return st;
+    FMB_TRY(fmb_mem_reserve(f->num.mem, (void **)list, capacity, *size + 1, sizeof **list));
+    (*list)[(*size)++] = a;
+    return FMB_OK;
 }
 
 static fmb_status add_neighbour(fmb_facets *f, uint32_t a, uint32_t b)
@@ -92,8 +89,8 @@ static fmb_status add_neighbour(fmb_facets *f, uint32_t a, uint32_t b)
 
 fmb_status fmb_facets_join(fmb_facets *f, uint32_t a, uint32_t b)
 {
-    fmb_status st = add_neighbour(f, a, b);
-    return st == FMB_OK ? add_neighbour(f, b, a) : st;
+    FMB_TRY(add_neighbour(f, a, b));
+    return add_neighbour(f, b, a);
 }
 
 void fmb_facets_part(fmb_facets *f, uint32_t a, uint32_t b)
@@ -123,9 +120,7 @@ fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d)
 {
     fmb_mem *mem = run->mem;
     *f = (fmb_facets){.run = run, .d = d, .words = 1, .common_words = 1};
-    fmb_status st = fmb_run_open_num(run, &f->num, d + 1, false);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_run_open_num(run, &f->num, d + 1, false));
     f->g.s = fmb_mem_zero(mem, d, sizeof *f->g.s);
     f->near = fmb_mem_get(mem, d, sizeof *f->near);
     f->common = fmb_mem_get(mem, f->words, sizeof *f->common);

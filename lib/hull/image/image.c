@@ -23,10 +23,10 @@ fmb_status fmb_image_copy_coordinates(fmb_image *m, fmb_vec *to, const fmb_vec *
     *to = (fmb_vec){.s = fmb_arena_get(&m->arena, m->n, sizeof *to->s)};
     if (!to->s)
         return fmb_mem_status(m->run->mem);
-    fmb_status st = fmb_vec_copy(to, from, m->n, m->run->mem);
-    if (st == FMB_OK && !to->z)
+    FMB_TRY(fmb_vec_copy(to, from, m->n, m->run->mem));
+    if (!to->z)
         fmb_vec_measure(to, m->n);
-    return st == FMB_OK ? fmb_vec_reduce(to, m->n, &m->num) : st;
+    return fmb_vec_reduce(to, m->n, &m->num);
 }
 
 static void unite_supports(fmb_image *m, uint64_t *to, const uint64_t *from)
@@ -121,9 +121,7 @@ static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words,
     lines += rays;
     *m = (fmb_image){.run = run, .n = n, .words = words};
     fmb_arena_init(&m->arena, run->mem);
-    fmb_status st = fmb_run_open_num(run, &m->num, n, wide_only);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_run_open_num(run, &m->num, n, wide_only));
     m->ray = fmb_arena_get(&m->arena, rays, sizeof *m->ray);
     m->support = fmb_arena_get(&m->arena, rays, sizeof *m->support);
     m->above = fmb_arena_get(&m->arena, rays, sizeof *m->above);
@@ -152,10 +150,10 @@ fmb_status fmb_image_init_vectors(fmb_image *m, fmb_run *run, size_t n, size_t v
                                   const fmb_vec *v, const bool *line, bool wide_only)
 {
     static const uint64_t none;
-    fmb_status st = open_image(m, run, n, 1, vectors, vectors, wide_only);
-    for (size_t i = 0; st == FMB_OK && i < vectors; i++)
-        st = line[i] ? add_line_to_image(m, &v[i]) : add_ray_to_image(m, &v[i], &none);
-    return st == FMB_OK ? sort_rays_of_image(m) : st;
+    FMB_TRY(open_image(m, run, n, 1, vectors, vectors, wide_only));
+    for (size_t i = 0; i < vectors; i++)
+        FMB_TRY(line[i] ? add_line_to_image(m, &v[i]) : add_ray_to_image(m, &v[i], &none));
+    return sort_rays_of_image(m);
 }
 
 void fmb_image_clear(fmb_image *m)
@@ -188,9 +186,7 @@ static fmb_status find_residues_of_rays(fmb_image *m)
 
 fmb_status fmb_image_find_zeros(fmb_image *m, const fmb_vec *row, uint64_t *zero)
 {
-    fmb_status st = m->residue ? FMB_OK : find_residues_of_rays(m);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(m->residue ? FMB_OK : find_residues_of_rays(m));
     uint32_t *of_row = m->residue + m->rays * m->n;
     for (size_t k = 0; k < m->n; k++)
         of_row[k] = fmb_residue_of_entry(row, k);

@@ -37,22 +37,20 @@ static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
         return fmb_mem_status(m->run->mem);
     memcpy(f->slack, m->everywhere, m->words * sizeof *f->slack);
     memset(f->on, 0, words * sizeof *f->on);
-    fmb_status st = fmb_image_find_zeros(m, &f->v, f->on);
-    for (size_t i = 0; st == FMB_OK && i < m->rays; i++)
+    FMB_TRY(fmb_image_find_zeros(m, &f->v, f->on));
+    for (size_t i = 0; i < m->rays; i++)
         if (fmb_set_has(f->on, i))
             add_to_slack(m, f->slack, m->support[i]);
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_image_add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks)
 {
-    fmb_status st = fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity,
-                                    m->facets + 1, sizeof *m->facet);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity, m->facets + 1,
+                            sizeof *m->facet));
     fmb_image_row *f = &m->facet[m->facets++];
     *f = (fmb_image_row){.equality = equality};
-    st = fmb_image_copy_coordinates(m, &f->v, y);
+    fmb_status st = fmb_image_copy_coordinates(m, &f->v, y);
     if (st != FMB_OK)
         return st;
     if (slacks)
@@ -94,40 +92,35 @@ static bool holds_facet_a_point(const fmb_facets *f, const fmb_facet *a)
 
 static fmb_status take_facets(fmb_image *m, fmb_facets *f, bool slacks)
 {
-    fmb_status st = FMB_OK;
-    for (size_t e = 0; st == FMB_OK && e < m->n - f->rank; e++)
-        st = fmb_image_add_facet(m, &f->equation[e], true, slacks);
-    if (st == FMB_OK)
-        st = fmb_facets_need_all_normals(f);
-    for (size_t i = 0; st == FMB_OK && i < f->slots; i++)
+    for (size_t e = 0; e < m->n - f->rank; e++)
+        FMB_TRY(fmb_image_add_facet(m, &f->equation[e], true, slacks));
+    FMB_TRY(fmb_facets_need_all_normals(f));
+    for (size_t i = 0; i < f->slots; i++)
         if (f->facet[i].alive && holds_facet_a_point(f, &f->facet[i]))
-            st = fmb_image_add_facet(m, &f->facet[i].normal, false, slacks);
-    return st;
+            FMB_TRY(fmb_image_add_facet(m, &f->facet[i].normal, false, slacks));
+    return FMB_OK;
 }
 
 /* The facets of what rays and lines span. In any case fmb_facets_clear it. */
 static fmb_status add_vectors_to_facets(const fmb_image *m, fmb_facets *f)
 {
-    fmb_status st = fmb_facets_init(f, m->run, m->n);
-    if (st == FMB_OK)
-        st = add_lines_to_facets(m, f);
-    return st == FMB_OK ? fmb_facets_add_all(f, m->ray, m->rays, m->n - 1) : st;
+    FMB_TRY(fmb_facets_init(f, m->run, m->n));
+    FMB_TRY(add_lines_to_facets(m, f));
+    return fmb_facets_add_all(f, m->ray, m->rays, m->n - 1);
 }
 
 fmb_status fmb_image_hull_open(fmb_image_hull *h, fmb_image *m)
 {
     *h = (fmb_image_hull){.of = m};
-    fmb_status st = fmb_facets_init(&h->facets, m->run, m->n);
-    if (st == FMB_OK)
-        st = add_lines_to_facets(m, &h->facets);
-    return st == FMB_OK ? fmb_facet_crowd_open(&h->facets, m->ray, m->rays, m->n - 1, &h->crowd)
-                        : st;
+    FMB_TRY(fmb_facets_init(&h->facets, m->run, m->n));
+    FMB_TRY(add_lines_to_facets(m, &h->facets));
+    return fmb_facet_crowd_open(&h->facets, m->ray, m->rays, m->n - 1, &h->crowd);
 }
 
 fmb_status fmb_image_hull_find_facets(fmb_image_hull *h, bool slacks, bool *done)
 {
-    fmb_status st = fmb_facet_crowd_go_on(h->crowd, done);
-    return st == FMB_OK && *done ? take_facets(h->of, &h->facets, slacks) : st;
+    FMB_TRY(fmb_facet_crowd_go_on(h->crowd, done));
+    return *done ? take_facets(h->of, &h->facets, slacks) : FMB_OK;
 }
 
 void fmb_image_hull_close(fmb_image_hull *h)
@@ -211,13 +204,12 @@ static bool holds_row_a_point(fmb_image *m, const fmb_vec *y)
 
 static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool slacks)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < dual->line.size; i++)
-        st = fmb_image_add_facet(m, &dual->line.v[i], true, slacks);
-    for (size_t i = 0; st == FMB_OK && i < dual->ray.size; i++)
+    for (size_t i = 0; i < dual->line.size; i++)
+        FMB_TRY(fmb_image_add_facet(m, &dual->line.v[i], true, slacks));
+    for (size_t i = 0; i < dual->ray.size; i++)
         if (holds_dual_ray_a_point(m, dual, i))
-            st = fmb_image_add_facet(m, &dual->ray.v[i], false, slacks);
-    return st;
+            FMB_TRY(fmb_image_add_facet(m, &dual->ray.v[i], false, slacks));
+    return FMB_OK;
 }
 
 fmb_status fmb_dual_open(fmb_dual *d, fmb_image *m, bool sparse_first)
@@ -255,8 +247,8 @@ void fmb_dual_close(fmb_dual *d)
 
 fmb_status fmb_dual_find_facets(fmb_dual *d, uint64_t rays, bool slacks, bool *done)
 {
-    fmb_status st = fmb_cone_run(&d->cone, rays, done);
-    return st == FMB_OK && *done ? take_facets_of_dual(d->of, &d->cone, slacks) : st;
+    FMB_TRY(fmb_cone_run(&d->cone, rays, done));
+    return *done ? take_facets_of_dual(d->of, &d->cone, slacks) : FMB_OK;
 }
 
 static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks)
@@ -291,11 +283,10 @@ fmb_status fmb_image_find_facets(fmb_image *m, bool slacks)
 
 fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < dual->lines; i++)
-        st = fmb_image_add_facet(m, &dual->line[i], true, false);
-    for (size_t i = 0; st == FMB_OK && i < dual->rays; i++)
+    for (size_t i = 0; i < dual->lines; i++)
+        FMB_TRY(fmb_image_add_facet(m, &dual->line[i], true, false));
+    for (size_t i = 0; i < dual->rays; i++)
         if (holds_row_a_point(m, &dual->ray[i]))
-            st = fmb_image_add_facet(m, &dual->ray[i], false, false);
-    return st;
+            FMB_TRY(fmb_image_add_facet(m, &dual->ray[i], false, false));
+    return FMB_OK;
 }

@@ -88,10 +88,7 @@ static fmb_status note_open_face(open_search *o, const uint64_t *on, size_t dept
         if (!fmb_set_is_inside(o->face[i].on, on, o->words))
             o->face[left++] = o->face[i];
     o->faces = left;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&o->face, &o->capacity, left + 1, sizeof *o->face);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&o->face, &o->capacity, left + 1, sizeof *o->face));
     open_face *f = &o->face[o->faces];
     *f = (open_face){.on = new_set_of_rays(o),
                      .facet = fmb_arena_get(&o->m->arena, depth, sizeof *f->facet),
@@ -130,8 +127,8 @@ static fmb_status search_open_faces(open_search *o, size_t depth)
     size_t ray = find_ray_outside(o, on);
     if (ray == SIZE_MAX)
         return note_open_face(o, on, depth);
-    fmb_status st = fmb_run_poll(o->m->run);
-    for (size_t f = 0; st == FMB_OK && f < o->facets; f++) {
+    FMB_TRY(fmb_run_poll(o->m->run));
+    for (size_t f = 0; f < o->facets; f++) {
         const fmb_image_row *row = &o->m->facet[f];
         if (row->equality || row->strict || fmb_set_has(o->on[f], ray))
             continue;
@@ -139,9 +136,9 @@ static fmb_status search_open_faces(open_search *o, size_t depth)
         for (size_t k = 0; k < o->words; k++)
             next[k] = on[k] & o->on[f][k];
         o->taken[depth] = f;
-        st = search_open_faces(o, depth + 1);
+        FMB_TRY(search_open_faces(o, depth + 1));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status search_for_strict_row(open_search *o, size_t bit)
@@ -173,22 +170,20 @@ static void open_facets(open_search *o, const uint64_t *excludes)
 static fmb_status sum_facets(open_search *o, const open_face *face, fmb_image_row *row)
 {
     fmb_image *m = o->m;
-    fmb_status st = fmb_vec_widen(&row->v, m->n, m->run->mem);
-    for (size_t i = 0; st == FMB_OK && i < face->facets; i++)
+    FMB_TRY(fmb_vec_widen(&row->v, m->n, m->run->mem));
+    for (size_t i = 0; i < face->facets; i++)
         for (size_t k = 0; k < m->n; k++) {
             fmb_vec_get(&m->facet[face->facet[i]].v, k, m->num.t);
             mpz_add(row->v.z[k], row->v.z[k], m->num.t);
         }
-    return st == FMB_OK ? fmb_vec_reduce(&row->v, m->n, &m->num) : st;
+    return fmb_vec_reduce(&row->v, m->n, &m->num);
 }
 
 static fmb_status add_row_of_face(open_search *o, const open_face *face)
 {
     fmb_image *m = o->m;
-    fmb_status st = fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity,
-                                    m->facets + 1, sizeof *m->facet);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity, m->facets + 1,
+                            sizeof *m->facet));
     fmb_image_row *row = &m->facet[m->facets];
     *row = (fmb_image_row){.strict = true};
     row->v.s = fmb_arena_get(&m->arena, m->n, sizeof *row->v.s);

@@ -16,12 +16,10 @@ static size_t find_last_entry(const fmb_vec *v, size_t d)
 static fmb_status try_row_for_base(fmb_section *c, size_t i)
 {
     fmb_vec *v = &c->base[c->rank];
-    fmb_status st = fmb_vec_copy(v, &c->row[i], c->d, c->run->mem);
-    for (size_t k = 0; st == FMB_OK && k < c->rank; k++)
+    FMB_TRY(fmb_vec_copy(v, &c->row[i], c->d, c->run->mem));
+    for (size_t k = 0; k < c->rank; k++)
         if (fmb_vec_sgn(v, c->pivot[k]) != 0)
-            st = fmb_vec_cancel(v, v, &c->base[k], c->d, c->pivot[k], &c->num);
-    if (st != FMB_OK)
-        return st;
+            FMB_TRY(fmb_vec_cancel(v, v, &c->base[k], c->d, c->pivot[k], &c->num));
     size_t pivot = find_last_entry(v, c->d);
     if (pivot == c->d)
         return FMB_OK;
@@ -32,13 +30,11 @@ static fmb_status try_row_for_base(fmb_section *c, size_t i)
 
 static fmb_status find_base(fmb_section *c)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < c->m && c->rank < c->d; i++) {
-        st = try_row_for_base(c, i);
-        if (st == FMB_OK)
-            st = fmb_run_poll_step(c->run, fmb_vec_is_wide(&c->row[i]));
+    for (size_t i = 0; i < c->m && c->rank < c->d; i++) {
+        FMB_TRY(try_row_for_base(c, i));
+        FMB_TRY(fmb_run_poll_step(c->run, fmb_vec_is_wide(&c->row[i])));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- the program ----------------------------------------------------------------------------- */
@@ -84,8 +80,8 @@ static fmb_status add_row_of_section(fmb_section *c, size_t i, mpz_t *z, mpz_t g
     mpz_gcd(gcd, gcd, z[n]);
     for (size_t k = 0; k <= n; k++)
         mpz_divexact(z[k], z[k], gcd);
-    fmb_status st = fmb_program_add_integers(&c->program, z, FMB_LE);
-    return st == FMB_OK ? fmb_run_poll(c->run) : st;
+    FMB_TRY(fmb_program_add_integers(&c->program, z, FMB_LE));
+    return fmb_run_poll(c->run);
 }
 
 static fmb_status write_program(fmb_section *c)
@@ -125,18 +121,15 @@ static fmb_status make_room_for_section(fmb_section *c)
 static fmb_status begin_queries(fmb_section *c)
 {
     bool feasible;
-    fmb_status st = fmb_oracle_new(c->run, &c->program, &c->oracle);
-    if (st == FMB_OK)
-        st = fmb_oracle_feasible(c->oracle, &feasible);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_oracle_new(c->run, &c->program, &c->oracle));
+    FMB_TRY(fmb_oracle_feasible(c->oracle, &feasible));
     c->empty = !feasible;
     if (c->empty)
         return FMB_OK;
     c->begun = true;
     size_t n = c->rank - 1;
-    st = fmb_support_init(&c->support, c->run, c->oracle, n, c->kept, n, false, false);
-    return st == FMB_OK ? fmb_support_know_rows(&c->support, &c->program) : st;
+    FMB_TRY(fmb_support_init(&c->support, c->run, c->oracle, n, c->kept, n, false, false));
+    return fmb_support_know_rows(&c->support, &c->program);
 }
 
 fmb_status fmb_section_open(fmb_section *c, fmb_run *run, const fmb_vec *row, size_t m, size_t d)
@@ -144,19 +137,17 @@ fmb_status fmb_section_open(fmb_section *c, fmb_run *run, const fmb_vec *row, si
     *c = (fmb_section){.run = run, .d = d, .m = m, .row = row};
     fmb_arena_init(&c->arena, run->mem);
     fmb_program_init(&c->program, run->mem, 0);
-    fmb_status st = fmb_run_open_num(run, &c->num, d, false);
-    if (st == FMB_OK)
-        st = make_room_for_section(c);
-    if (st == FMB_OK)
-        st = find_base(c);
-    if (st == FMB_OK && c->rank > 0)
-        st = fmb_section_choose_form(c);
-    if (st != FMB_OK || c->rank == 0)
-        return st;
+    FMB_TRY(fmb_run_open_num(run, &c->num, d, false));
+    FMB_TRY(make_room_for_section(c));
+    FMB_TRY(find_base(c));
+    if (c->rank > 0)
+        FMB_TRY(fmb_section_choose_form(c));
+    if (c->rank == 0)
+        return FMB_OK;
     list_columns(c);
     fmb_program_init(&c->program, run->mem, (int)c->rank - 1);
-    st = write_program(c);
-    return st == FMB_OK && !c->empty && c->rank > 1 ? begin_queries(c) : st;
+    FMB_TRY(write_program(c));
+    return !c->empty && c->rank > 1 ? begin_queries(c) : FMB_OK;
 }
 
 void fmb_section_close(fmb_section *c)

@@ -139,9 +139,7 @@ static fmb_status choose_form(fmb_section *c, const fmb_integers *b, double *mea
 {
     bool serves = false;
     find_mean_direction(c, mean, mean + c->d);
-    fmb_status st = try_short_forms(c, mean, b, &serves);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(try_short_forms(c, mean, b, &serves));
     for (size_t k = 0; !serves && k < c->rank; k++)
         mpz_set(c->w.z[c->pivot[k]], b->z[k + 1]);
     for (size_t k = 0; k < c->rank; k++)

@@ -48,14 +48,13 @@ static fmb_status put_all_rays_into_list(fmb_section *c, mpz_t *z, ray_list *to)
 {
     const fmb_facets *f = &c->support.hull;
     const fmb_vec one = {.s = (int64_t[]){1}, .bits = 1};
-    fmb_status st = FMB_OK;
     if (c->empty || c->rank == 0)
         return FMB_OK;
     if (!c->begun)
         return put_ray_into_list(c, &one, z, to);
-    for (size_t g = 0; st == FMB_OK && g < f->generators; g++)
-        st = put_ray_into_list(c, &f->generator[g], z, to);
-    return st;
+    for (size_t g = 0; g < f->generators; g++)
+        FMB_TRY(put_ray_into_list(c, &f->generator[g], z, to));
+    return FMB_OK;
 }
 
 /* What n rows leave where all of them are 0. */
@@ -64,8 +63,8 @@ static fmb_status find_lines_of_rows(const fmb_section *c, fmb_cone *lines, fmb_
 {
     bool done;
     fmb_cone_problem of = {.d = c->d, .m = n, .row = row};
-    fmb_status st = fmb_cone_init(lines, c->run, &of);
-    return st == FMB_OK ? fmb_cone_run(lines, 0, &done) : st;
+    FMB_TRY(fmb_cone_init(lines, c->run, &of));
+    return fmb_cone_run(lines, 0, &done);
 }
 
 /* Lines are 0 in the independent rows. */

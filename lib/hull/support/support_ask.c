@@ -9,10 +9,9 @@ fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, si
 {
     *s =
         (fmb_support){.run = run, .n = n, .k = k, .kept = kept, .strict = strict, .proves = proves};
-    fmb_status st = fmb_support_worker_init(&s->worker, run, oracle, n);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&s->g, k + 1, run->mem);
-    return st == FMB_OK ? fmb_facets_init(&s->hull, run, k + 1) : st;
+    FMB_TRY(fmb_support_worker_init(&s->worker, run, oracle, n));
+    FMB_TRY(fmb_integers_init(&s->g, k + 1, run->mem));
+    return fmb_facets_init(&s->hull, run, k + 1);
 }
 
 void fmb_support_clear(fmb_support *s)
@@ -126,19 +125,17 @@ static bool has_asked_a_while(const fmb_support *s)
 static fmb_status ask_next_question(fmb_support *s, bool *done)
 {
     const fmb_facets *f = &s->hull;
-    fmb_status st = fmb_run_poll_now(s->run);
-    if (st == FMB_OK && s->program && !s->symmetry && (s->k > 2 || s->given) &&
-        has_asked_a_while(s) && fmb_way(FMB_WAY_SYMMETRY))
-        st = fmb_support_find_symmetry(s);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_run_poll_now(s->run));
+    if (s->program && !s->symmetry && (s->k > 2 || s->given) && has_asked_a_while(s) &&
+        fmb_way(FMB_WAY_SYMMETRY))
+        FMB_TRY(fmb_support_find_symmetry(s));
     if (s->outer_most > 0 && s->ends_asked < 2 * s->k)
         return fmb_support_ask_about_end(s);
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);
-    st = s->workers && has_asked_a_while(s) ? fmb_support_ask_workers(s, done)
-                                            : ask_about_next_facet(s, done);
-    return st == FMB_OK && *done && s->strict ? fmb_support_find_missing_faces(s) : st;
+    FMB_TRY(s->workers && has_asked_a_while(s) ? fmb_support_ask_workers(s, done)
+                                               : ask_about_next_facet(s, done));
+    return *done && s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
 }
 
 fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done)

@@ -48,10 +48,9 @@ static fmb_status know_row(fmb_support *s, const fmb_program *p, size_t i)
     if (!v->s)
         return fmb_mem_status(s->run->mem);
     w->rows++;
-    fmb_status st = write_row_as_normal(w, p, i, v);
-    if (st == FMB_OK)
-        w->table[find_place_in_table(w, v, n)] = (uint32_t)(w->rows - 1);
-    return st == FMB_OK ? fmb_run_poll(s->run) : st;
+    FMB_TRY(write_row_as_normal(w, p, i, v));
+    w->table[find_place_in_table(w, v, n)] = (uint32_t)(w->rows - 1);
+    return fmb_run_poll(s->run);
 }
 
 fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p)
@@ -70,10 +69,10 @@ fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p)
         return fmb_mem_status(mem);
     for (size_t at = 0; at <= w->mask; at++)
         w->table[at] = NO_ROW;
-    fmb_status st = fmb_run_open_num(s->run, &w->num, (size_t)p->n + 1, false);
-    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
-        st = know_row(s, p, i);
-    return st;
+    FMB_TRY(fmb_run_open_num(s->run, &w->num, (size_t)p->n + 1, false));
+    for (size_t i = 0; i < p->m; i++)
+        FMB_TRY(know_row(s, p, i));
+    return FMB_OK;
 }
 
 void fmb_support_forget_rows(fmb_support *s)

@@ -86,10 +86,9 @@ fmb_status fmb_support_ask_about_end(fmb_support *s)
 
 fmb_status fmb_support_keep_outer_rows(fmb_support *s)
 {
-    fmb_status st = FMB_OK;
-    while (st == FMB_OK && s->outers > 0)
-        st = fmb_support_keep(s, &s->outer[--s->outers]);
-    return st;
+    while (s->outers > 0)
+        FMB_TRY(fmb_support_keep(s, &s->outer[--s->outers]));
+    return FMB_OK;
 }
 
 void fmb_support_forget_outer_rows(fmb_support *s)

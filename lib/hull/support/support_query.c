@@ -13,14 +13,10 @@ static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen
     fmb_mem *mem = s->run->mem;
     if (!s->proves)
         return FMB_OK;
-    fmb_status st = fmb_mem_reserve(mem, (void **)&s->point, &s->point_capacity, s->points + 1,
-                                    sizeof *s->point);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&s->point, &s->point_capacity, s->points + 1,
+                            sizeof *s->point));
     fmb_integers *x = &s->point[s->points];
-    st = fmb_integers_init(x, s->n + 1, mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_init(x, s->n + 1, mem));
     s->points++;
     for (size_t j = 0; j < s->n; j++)
         mpz_set(x->z[j], seen->x.z[j]);
@@ -33,10 +29,8 @@ static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen
 static fmb_status note_near(fmb_support *s, fmb_support_near *near)
 {
     const fmb_facets *f = &s->hull;
-    fmb_status st = fmb_mem_reserve(s->run->mem, (void **)&near->slot, &near->capacity,
-                                    f->mades + f->toucheds, sizeof *near->slot);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(s->run->mem, (void **)&near->slot, &near->capacity,
+                            f->mades + f->toucheds, sizeof *near->slot));
     near->generator = f->generators - 1;
     near->slots = f->mades + f->toucheds;
     for (size_t k = 0; k < near->slots; k++)
@@ -51,13 +45,12 @@ fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_sup
     mpz_set(s->g.z[0], seen->den);
     for (size_t j = 0; j < s->k; j++)
         mpz_set(s->g.z[j + 1], seen->x.z[s->kept[j]]);
-    fmb_status st = fmb_facets_add_near(&s->hull, at, s->g.z, &grown);
-    if (st != FMB_OK || !grown)
-        return st;
-    st = note_near(s, &c->near);
-    if (st == FMB_OK)
-        st = note_inner_point(s, seen);
-    return st == FMB_OK ? fmb_support_take_images(s) : st;
+    FMB_TRY(fmb_facets_add_near(&s->hull, at, s->g.z, &grown));
+    if (!grown)
+        return FMB_OK;
+    FMB_TRY(note_near(s, &c->near));
+    FMB_TRY(note_inner_point(s, seen));
+    return fmb_support_take_images(s);
 }
 
 /* ---- workers --------------------------------------------------------------------------------- */
@@ -125,14 +118,14 @@ static fmb_status prove_row(fmb_support_worker *c, const fmb_support *s, const f
                             fmb_support_row *row)
 {
     bool attained = true;
-    fmb_status st = row->rel == FMB_EQ ? FMB_OK : fmb_oracle_attain(c->oracle, &attained);
-    if (st == FMB_OK && sign > 0)
-        st = fmb_support_write_row(s, h, row, c->run->mem);
-    if (st == FMB_OK && !attained)
+    FMB_TRY(row->rel == FMB_EQ ? FMB_OK : fmb_oracle_attain(c->oracle, &attained));
+    if (sign > 0)
+        FMB_TRY(fmb_support_write_row(s, h, row, c->run->mem));
+    if (!attained)
         row->rel = FMB_LT;
-    if (st == FMB_OK && s->proves)
-        st = fmb_oracle_multipliers(c->oracle, sign > 0 ? &row->proof : &row->reverse);
-    return st;
+    if (s->proves)
+        FMB_TRY(fmb_oracle_multipliers(c->oracle, sign > 0 ? &row->proof : &row->reverse));
+    return FMB_OK;
 }
 
 fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
@@ -170,8 +163,8 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
                              bool *stands)
 {
     fmb_support_worker *c = &s->worker;
-    fmb_status st = fmb_support_worker_look(c, s, h, sign, row, stands);
-    return st == FMB_OK && !*stands ? fmb_support_take(s, c, &c->seen, 0) : st;
+    FMB_TRY(fmb_support_worker_look(c, s, h, sign, row, stands));
+    return !*stands ? fmb_support_take(s, c, &c->seen, 0) : FMB_OK;
 }
 
 /* ---- facets ---------------------------------------------------------------------------------- */

@@ -5,9 +5,7 @@
 fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_support_row *row,
                                  fmb_mem *mem)
 {
-    fmb_status st = fmb_integers_init(&row->z, s->k + 1, mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_init(&row->z, s->k + 1, mem));
     for (size_t j = 0; j < s->k; j++) {
         fmb_vec_get(h, j + 1, row->z.z[j]);
         mpz_neg(row->z.z[j], row->z.z[j]);
@@ -38,15 +36,12 @@ fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *fro
 {
     fmb_mem *mem = s->run->mem;
     *to = (fmb_support_row){.rel = from->rel};
-    fmb_status st = fmb_integers_init(&to->z, s->k + 1, mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_init(&to->z, s->k + 1, mem));
     for (size_t j = 0; j <= s->k; j++)
         mpz_set(to->z.z[j], from->z.z[j]);
-    st = fmb_integers_settle(&to->z, mem);
-    if (st == FMB_OK)
-        st = fmb_weights_append(&to->proof, &from->proof, mem);
-    return st == FMB_OK ? fmb_weights_append(&to->reverse, &from->reverse, mem) : st;
+    FMB_TRY(fmb_integers_settle(&to->z, mem));
+    FMB_TRY(fmb_weights_append(&to->proof, &from->proof, mem));
+    return fmb_weights_append(&to->reverse, &from->reverse, mem);
 }
 
 void fmb_support_drop(fmb_support_row *row, fmb_mem *mem)

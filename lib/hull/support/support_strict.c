@@ -60,8 +60,8 @@ static fmb_status add_normals_around(lattice *l, const uint64_t *set)
         }
     }
     mpz_clear(t);
-    fmb_status st = fmb_vec_set_z(&l->h, l->f->d, l->sum.z, l->s->run->mem);
-    return st == FMB_OK ? fmb_vec_reduce(&l->h, l->f->d, &l->f->num) : st;
+    FMB_TRY(fmb_vec_set_z(&l->h, l->f->d, l->sum.z, l->s->run->mem));
+    return fmb_vec_reduce(&l->h, l->f->d, &l->f->num);
 }
 
 /* Is the face around that set missing? The row that says so. */
@@ -122,22 +122,19 @@ static fmb_status reserve_set(lattice *l, uint64_t **list, size_t size, size_t *
 /* Where face i meets facets: faces that may be missing, and are not for a reason that is known. */
 static fmb_status list_faces_of_face(lattice *l, size_t i)
 {
-    fmb_status st = FMB_OK;
-    for (size_t a = 0; st == FMB_OK && a < l->f->slots; a++) {
+    for (size_t a = 0; a < l->f->slots; a++) {
         if (!is_facet_alive(l, a, FMB_FACET_STANDS))
             continue;
-        st = reserve_set(l, &l->face, l->faces, &l->capacity);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(reserve_set(l, &l->face, l->faces, &l->capacity));
         uint64_t *next = l->face + l->faces * l->words;
         for (size_t w = 0; w < l->words; w++)
             next[w] = l->face[i * l->words + w] & l->f->facet[a].on[w];
         if (fmb_sets_meet(next, l->missing, l->words) && !was_face_met(l, next) &&
             !is_on_missing_face(l, next))
             l->faces++;
-        st = fmb_run_poll(l->s->run);
+        FMB_TRY(fmb_run_poll(l->s->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 static bool are_all_points_missing(const lattice *l, const uint64_t *set)
@@ -183,14 +180,11 @@ static fmb_status look_at_face(lattice *l, size_t i)
 {
     fmb_support_row row;
     bool missing = false;
-    fmb_status st = FMB_OK;
     const uint64_t *face = l->face + i * l->words;
     if (i > 0 && is_on_missing_face(l, face))
         return FMB_OK;
     if (i > 0 && are_all_points_missing(l, face))
-        st = ask_about_face(l, face, &row, &missing);
-    if (st != FMB_OK)
-        return st;
+        FMB_TRY(ask_about_face(l, face, &row, &missing));
     return missing ? keep_missing_face(l, i, &row) : list_faces_of_face(l, i);
 }
 
@@ -198,14 +192,13 @@ static fmb_status look_at_face(lattice *l, size_t i)
  * is a face of, and what is missing is a row unless a larger face is. */
 static fmb_status walk_down_the_lattice(lattice *l)
 {
-    fmb_status st = FMB_OK;
     memset(l->face, 0xff, l->words * sizeof *l->face);
     l->faces = 1;
-    for (size_t i = 0; st == FMB_OK && i < l->faces; i++) {
+    for (size_t i = 0; i < l->faces; i++) {
         bring_largest_forward(l, i);
-        st = look_at_face(l, i);
+        FMB_TRY(look_at_face(l, i));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- all ------------------------------------------------------------------------------------- */
@@ -216,10 +209,9 @@ static fmb_status open_lattice(lattice *l)
     l->missing = fmb_mem_zero(mem, l->words, sizeof *l->missing);
     l->points = fmb_mem_zero(mem, l->words, sizeof *l->points);
     l->h.s = fmb_mem_get(mem, l->f->d, sizeof *l->h.s);
-    fmb_status st = l->missing && l->points && l->h.s ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = reserve_set(l, &l->face, l->faces, &l->capacity);
-    return st == FMB_OK ? fmb_integers_init(&l->sum, l->f->d, mem) : st;
+    FMB_TRY(l->missing && l->points && l->h.s ? FMB_OK : fmb_mem_status(mem));
+    FMB_TRY(reserve_set(l, &l->face, l->faces, &l->capacity));
+    return fmb_integers_init(&l->sum, l->f->d, mem);
 }
 
 static void close_lattice(lattice *l)

@@ -22,10 +22,10 @@ static fmb_status take_images_of_point(fmb_support *s, const fmb_vec *v)
     fmb_orbits *o = &s->symmetry->points;
     size_t first = o->size;
     bool grown;
-    fmb_status st = fmb_orbits_add(o, v, 0);
-    for (size_t i = first + 1; st == FMB_OK && i < o->size; i++)
-        st = fmb_facets_add_vec(&s->hull, &o->item[i].v, &grown);
-    return st;
+    FMB_TRY(fmb_orbits_add(o, v, 0));
+    for (size_t i = first + 1; i < o->size; i++)
+        FMB_TRY(fmb_facets_add_vec(&s->hull, &o->item[i].v, &grown));
+    return FMB_OK;
 }
 
 bool fmb_support_is_symmetric(const fmb_support *s)
@@ -77,21 +77,18 @@ fmb_status fmb_support_recall(fmb_support *s, size_t facet, bool *known)
     *known = item != SIZE_MAX;
     if (!*known)
         return FMB_OK;
-    fmb_status st = FMB_OK;
     if (s->symmetry->rows.item[item].tag == SIZE_MAX)
-        st = keep_moved_row(s, item);
-    if (st == FMB_OK)
-        fmb_support_note_facet(s, facet, s->row[s->symmetry->rows.item[item].tag].rel);
-    return st;
+        FMB_TRY(keep_moved_row(s, item));
+    fmb_support_note_facet(s, facet, s->row[s->symmetry->rows.item[item].tag].rel);
+    return FMB_OK;
 }
 
 fmb_status fmb_support_keep_images(fmb_support *s)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; s->symmetry && st == FMB_OK && i < s->symmetry->rows.size; i++)
+    for (size_t i = 0; s->symmetry && i < s->symmetry->rows.size; i++)
         if (s->symmetry->rows.item[i].tag == SIZE_MAX)
-            st = keep_moved_row(s, i);
-    return st;
+            FMB_TRY(keep_moved_row(s, i));
+    return FMB_OK;
 }
 
 /* ---- the search ------------------------------------------------------------------------------ */
@@ -117,11 +114,10 @@ static fmb_status find_group(fmb_support *s)
 /* The generators that the hull has. */
 static fmb_status take_images_of_all_points(fmb_support *s)
 {
-    fmb_status st = FMB_OK;
     size_t size = s->hull.generators;
-    for (size_t i = 0; st == FMB_OK && i < size; i++)
-        st = take_images_of_point(s, &s->hull.generator[i]);
-    return st;
+    for (size_t i = 0; i < size; i++)
+        FMB_TRY(take_images_of_point(s, &s->hull.generator[i]));
+    return FMB_OK;
 }
 
 /* The facets that stand; row i is no equality, and a.x <= b has the normal (b, -a). */
@@ -131,8 +127,8 @@ static fmb_status note_images_of_row(fmb_support *s, size_t i, fmb_vec *normal)
     mpz_set(s->g.z[0], r->z.z[s->k]);
     for (size_t j = 0; j < s->k; j++)
         mpz_neg(s->g.z[j + 1], r->z.z[j]);
-    fmb_status st = fmb_vec_set_z(normal, s->k + 1, s->g.z, s->run->mem);
-    return st == FMB_OK ? fmb_orbits_add(&s->symmetry->rows, normal, i) : st;
+    FMB_TRY(fmb_vec_set_z(normal, s->k + 1, s->g.z, s->run->mem));
+    return fmb_orbits_add(&s->symmetry->rows, normal, i);
 }
 
 static fmb_status note_images_of_all_rows(fmb_support *s)
@@ -154,15 +150,13 @@ fmb_status fmb_support_find_symmetry(fmb_support *s)
     if (!y)
         return fmb_mem_status(s->run->mem);
     s->symmetry = y;
-    fmb_status st = find_group(s);
-    if (st != FMB_OK || y->group.size == 0)
-        return st;
-    st = fmb_orbits_init(&y->points, s->run, &y->group, s->kept, s->k);
-    if (st == FMB_OK)
-        st = fmb_orbits_init(&y->rows, s->run, &y->group, s->kept, s->k);
-    if (st == FMB_OK)
-        st = note_images_of_all_rows(s);
-    return st == FMB_OK ? take_images_of_all_points(s) : st;
+    FMB_TRY(find_group(s));
+    if (y->group.size == 0)
+        return FMB_OK;
+    FMB_TRY(fmb_orbits_init(&y->points, s->run, &y->group, s->kept, s->k));
+    FMB_TRY(fmb_orbits_init(&y->rows, s->run, &y->group, s->kept, s->k));
+    FMB_TRY(note_images_of_all_rows(s));
+    return take_images_of_all_points(s);
 }
 
 void fmb_support_forget_symmetry(fmb_support *s)

@@ -44,17 +44,16 @@ static fmb_status hire_worker(fmb_support_workers *w, size_t k)
 
 fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p)
 {
-    fmb_status st = FMB_OK;
     fmb_support_workers *w = fmb_mem_zero(s->run->mem, 1, sizeof *w);
     if (!w)
         return fmb_mem_status(s->run->mem);
     s->workers = w;
     w->of = s;
     w->program = p;
-    st = fmb_team_open(&w->team, s->run, FMB_SUPPORT_WORKERS);
-    while (st == FMB_OK && w->hired < FMB_SUPPORT_WORKERS)
-        st = hire_worker(w, w->hired);
-    return st;
+    FMB_TRY(fmb_team_open(&w->team, s->run, FMB_SUPPORT_WORKERS));
+    while (w->hired < FMB_SUPPORT_WORKERS)
+        FMB_TRY(hire_worker(w, w->hired));
+    return FMB_OK;
 }
 
 void fmb_support_dismiss(fmb_support *s)
@@ -82,16 +81,14 @@ void fmb_support_dismiss(fmb_support *s)
 /* An open facet that is no image of one that stands; SIZE_MAX if there is none. */
 static fmb_status choose_facet(fmb_support *s, const fmb_support_near *near, size_t *at)
 {
-    fmb_status st = FMB_OK;
-    for (bool known = true; st == FMB_OK && known;) {
+    for (bool known = true; known;) {
         *at = fmb_support_find_open_facet(s, near);
         if (*at == SIZE_MAX || !fmb_support_is_symmetric(s))
             return FMB_OK;
-        st = fmb_facets_need_normal(&s->hull, *at);
-        if (st == FMB_OK)
-            st = fmb_support_recall(s, *at, &known);
+        FMB_TRY(fmb_facets_need_normal(&s->hull, *at));
+        FMB_TRY(fmb_support_recall(s, *at, &known));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* *n of them, a copy for each worker. */
@@ -115,16 +112,15 @@ static fmb_status choose_facets(fmb_support *s, size_t *n)
 static fmb_status give_worker_an_oracle(fmb_support_worker *c, const fmb_program *p)
 {
     bool feasible;
-    fmb_status st = fmb_oracle_new(c->run, p, &c->oracle);
-    return st == FMB_OK ? fmb_oracle_feasible(c->oracle, &feasible) : st;
+    FMB_TRY(fmb_oracle_new(c->run, p, &c->oracle));
+    return fmb_oracle_feasible(c->oracle, &feasible);
 }
 
 static fmb_status find_normal_of_copy(const fmb_support_workers *w, sighting *g, fmb_run *run)
 {
-    fmb_status st = FMB_OK;
     if (!g->copy.known && !g->num.mem)
-        st = fmb_run_open_num(run, &g->num, w->view.d + 1, false);
-    return st == FMB_OK ? fmb_facets_copy_need_normal(&w->view, &g->copy, &g->num) : st;
+        FMB_TRY(fmb_run_open_num(run, &g->num, w->view.d + 1, false));
+    return fmb_facets_copy_need_normal(&w->view, &g->copy, &g->num);
 }
 
 static fmb_status look_at_facet(void *self, size_t k, fmb_run *run)
@@ -132,12 +128,11 @@ static fmb_status look_at_facet(void *self, size_t k, fmb_run *run)
     fmb_support_workers *w = self;
     fmb_support_worker *c = &w->worker[k];
     sighting *g = &w->seen[k];
-    fmb_status st = fmb_run_poll_now(run);
-    if (st == FMB_OK && !c->oracle)
-        st = give_worker_an_oracle(c, w->program);
-    if (st == FMB_OK)
-        st = find_normal_of_copy(w, g, run);
-    return st == FMB_OK ? fmb_support_worker_settle(c, w->of, &g->copy, &g->row, &g->answer) : st;
+    FMB_TRY(fmb_run_poll_now(run));
+    if (!c->oracle)
+        FMB_TRY(give_worker_an_oracle(c, w->program));
+    FMB_TRY(find_normal_of_copy(w, g, run));
+    return fmb_support_worker_settle(c, w->of, &g->copy, &g->row, &g->answer);
 }
 
 /* ---- answers --------------------------------------------------------------------------------- */
@@ -194,11 +189,10 @@ static fmb_status take_in_point(fmb_support *s, size_t k)
 
 static fmb_status take_in_points(fmb_support *s)
 {
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < FMB_SUPPORT_WORKERS; k++)
+    for (size_t k = 0; k < FMB_SUPPORT_WORKERS; k++)
         if (s->workers->seen[k].waits)
-            st = take_in_point(s, k);
-    return st;
+            FMB_TRY(take_in_point(s, k));
+    return FMB_OK;
 }
 
 /* ---- a round --------------------------------------------------------------------------------- */

@@ -49,9 +49,7 @@ static fmb_status grow_draft_by_half(fmb_draft *d)
 
 fmb_status fmb_draft_term(fmb_draft *d, int var, mpq_ptr *slot)
 {
-    fmb_status st = d->n < d->capacity ? FMB_OK : grow_draft_by_half(d);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(d->n < d->capacity ? FMB_OK : grow_draft_by_half(d));
     d->var[d->n] = var;
     *slot = d->coef[d->n++];
     return FMB_OK;
@@ -60,10 +58,9 @@ fmb_status fmb_draft_term(fmb_draft *d, int var, mpq_ptr *slot)
 fmb_status fmb_draft_add(fmb_draft *d, int var, mpq_srcptr coef)
 {
     mpq_ptr slot;
-    fmb_status st = fmb_draft_term(d, var, &slot);
-    if (st == FMB_OK)
-        mpq_set(slot, coef);
-    return st;
+    FMB_TRY(fmb_draft_term(d, var, &slot));
+    mpq_set(slot, coef);
+    return FMB_OK;
 }
 
 void fmb_draft_negate(fmb_draft *d)
@@ -98,8 +95,8 @@ static fmb_status charge_denominator(fmb_cursor *c, const char *p, const fmb_dra
 fmb_status fmb_draft_append(fmb_cursor *c, const char *p, const fmb_draft *d, fmb_rel rel,
                             fmb_system *s)
 {
-    fmb_status st = charge_denominator(c, p, d);
-    return st == FMB_OK ? fmb_system_add_q(s, d->n, d->var, d->coef, rel, d->rhs) : st;
+    FMB_TRY(charge_denominator(c, p, d));
+    return fmb_system_add_q(s, d->n, d->var, d->coef, rel, d->rhs);
 }
 
 fmb_status fmb_draft_set_objective(fmb_cursor *c, const char *p, const fmb_draft *d,
@@ -177,8 +174,7 @@ fmb_status fmb_io_declare(fmb_cursor *c, const char *p, size_t n, fmb_system *s)
                            "expected fewer variables: %zu are declared, and the text is too "
                            "short to use them",
                            n);
-    fmb_status st = FMB_OK;
-    for (size_t j = 0; st == FMB_OK && j < n; j++)
-        st = fmb_system_add_variable(s, NULL, NULL);
-    return st;
+    for (size_t j = 0; j < n; j++)
+        FMB_TRY(fmb_system_add_variable(s, NULL, NULL));
+    return FMB_OK;
 }

@@ -140,17 +140,17 @@ static fmb_status value_of_decimal(fmb_cursor *c, const decimal *d, mpq_t out)
 {
     long power = 0;
     mpz_set_ui(mpq_denref(out), 1);
-    fmb_status st = join_decimal_digits(d, c->mem, mpq_numref(out), &power);
-    if (st != FMB_OK || mpq_sgn(out) == 0)
-        return st;
+    FMB_TRY(join_decimal_digits(d, c->mem, mpq_numref(out), &power));
+    if (mpq_sgn(out) == 0)
+        return FMB_OK;
     long grow = d->exponent < 0 ? -d->exponent : d->exponent;
     if (grow > EXPONENT_MAX)
         return fmb_io_fail(c, d->e, "expected an exponent between -%d and %d", EXPONENT_MAX,
                            EXPONENT_MAX);
-    st = fmb_io_charge(c, d->p, (size_t)grow);
-    if (st == FMB_OK && power != 0)
+    FMB_TRY(fmb_io_charge(c, d->p, (size_t)grow));
+    if (power != 0)
         scale_by_power_of_ten(out, power);
-    return st;
+    return FMB_OK;
 }
 
 /* The part behind '/', if a number is there. */
@@ -209,12 +209,12 @@ fmb_status fmb_scan_number(fmb_cursor *c, int flags, const char *what, mpq_t out
         c->at = start;
         return fmb_io_expected(c, start, "%s", what);
     }
-    fmb_status st = value_of_decimal(c, &d, out);
-    if (st == FMB_OK && flags & FMB_NUM_FRACTION)
-        st = scan_denominator(c, flags, out);
-    if (st == FMB_OK && minus)
+    FMB_TRY(value_of_decimal(c, &d, out));
+    if (flags & FMB_NUM_FRACTION)
+        FMB_TRY(scan_denominator(c, flags, out));
+    if (minus)
         mpq_neg(out, out);
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_scan_count(fmb_cursor *c, size_t max, const char *what, size_t *out)

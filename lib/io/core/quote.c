@@ -37,12 +37,10 @@ fmb_status fmb_scan_quoted(fmb_cursor *c, fmb_room *room, fmb_span *out)
         c->at++;
         if (b == '"')
             break;
-        fmb_status st = fmb_mem_reserve(c->mem, (void **)&room->p, &room->capacity, n + 1, 1);
+        FMB_TRY(fmb_mem_reserve(c->mem, (void **)&room->p, &room->capacity, n + 1, 1));
         char byte = (char)(unsigned char)b;
-        if (st == FMB_OK && b == '\\')
-            st = scan_name_escape(c, &byte);
-        if (st != FMB_OK)
-            return st;
+        if (b == '\\')
+            FMB_TRY(scan_name_escape(c, &byte));
         room->p[n++] = byte;
     }
     *out = (fmb_span){n > 0 ? room->p : start, n};

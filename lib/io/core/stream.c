@@ -12,9 +12,7 @@ typedef struct fmb_bytes {
 static fmb_status read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *mem)
 {
     while (b->size <= most) {
-        fmb_status st = fmb_mem_reserve(mem, (void **)&b->p, &b->capacity, b->size + (1 << 14), 1);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_mem_reserve(mem, (void **)&b->p, &b->capacity, b->size + (1 << 14), 1));
         size_t n = fread(b->p + b->size, 1, b->capacity - b->size, in);
         b->size += n;
         if (n == 0)
@@ -31,12 +29,11 @@ fmb_status fmb_parse_memory(const char *text, size_t size, const fmb_reader *how
     fmb_mem mem;
     if (!text && size > 0)
         return fmb_io_refuse_argument(where, "text is NULL");
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_io_take_reader(how, &reader, where));
     fmb_mem_init(&mem, reader.mem, 0);
     fmb_cursor c = fmb_io_cursor(text ? text : "", size, &reader, &mem, &at);
-    st = size > fmb_io_max_bytes(&reader) ? fmb_io_fail_too_long(&c, NULL) : parse(&c, self);
+    fmb_status st =
+        size > fmb_io_max_bytes(&reader) ? fmb_io_fail_too_long(&c, NULL) : parse(&c, self);
     if ((st == FMB_ERR_PARSE || st == FMB_ERR_ARG) && where)
         *where = at;
     return st;
@@ -50,11 +47,9 @@ fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_cursor_fn
     fmb_reader reader;
     if (!in)
         return fmb_io_refuse_argument(where, "in is NULL");
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_io_take_reader(how, &reader, where));
     fmb_mem_init(&mem, reader.mem, 0);
-    st = read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
+    fmb_status st = read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
     int cause = errno;
     if (st == FMB_OK)
         st = fmb_parse_memory(b.p, b.size, &reader, parse, self, where);

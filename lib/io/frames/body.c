@@ -8,8 +8,8 @@ static fmb_status read_coefficients(void *reader, fmb_cursor *c)
     fmb_frame_reader *r = reader;
     fmb_numbers *a = &r->now->coefficients;
     a->n = 0;
-    fmb_status st = fmb_frame_reader_point(r, c, a);
-    return st == FMB_OK && r->how.nearest ? fmb_numbers_rationals(a, &r->mem) : st;
+    FMB_TRY(fmb_frame_reader_point(r, c, a));
+    return r->how.nearest ? fmb_numbers_rationals(a, &r->mem) : FMB_OK;
 }
 
 static fmb_status read_relation_word(void *reader, fmb_cursor *c)
@@ -18,9 +18,7 @@ static fmb_status read_relation_word(void *reader, fmb_cursor *c)
     fmb_frame_reader *r = reader;
     const char *p = c->at;
     fmb_span word;
-    fmb_status st = fmb_json_string(c, what, &word);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_json_string(c, what, &word));
     bool le = fmb_json_spells(word, "<="), eq = fmb_json_spells(word, "=");
     r->rel = le ? FMB_LE : eq ? FMB_EQ : FMB_LT;
     return le || eq || fmb_json_spells(word, "<") ? FMB_OK : fmb_io_fail(c, p, "expected %s", what);
@@ -53,10 +51,10 @@ static fmb_status read_polytope_row(void *reader, fmb_cursor *c)
     unsigned seen;
     fmb_json_blanks(c);
     const char *p = c->at;
-    fmb_status st = fmb_json_object(c, "a row", keys, 3, r, &seen);
-    if (st == FMB_OK && seen != 7)
-        st = fmb_io_fail(c, p, "expected \"coefficients\", \"relation\" and \"rhs\" in a row");
-    return st == FMB_OK ? append_polytope_row(r, c, p) : st;
+    FMB_TRY(fmb_json_object(c, "a row", keys, 3, r, &seen));
+    if (seen != 7)
+        return fmb_io_fail(c, p, "expected \"coefficients\", \"relation\" and \"rhs\" in a row");
+    return append_polytope_row(r, c, p);
 }
 
 static fmb_status read_polytope_rows(void *reader, fmb_cursor *c)
@@ -72,9 +70,7 @@ static fmb_status read_body_type(void *reader, fmb_cursor *c)
     fmb_body_draft *b = ((fmb_frame_reader *)reader)->now;
     const char *p = c->at;
     fmb_span word;
-    fmb_status st = fmb_json_string(c, what, &word);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_json_string(c, what, &word));
     b->is_polytope = fmb_json_spells(word, "polytope");
     b->shape = fmb_json_spells(word, "cuboid") ? FMB_CUBOID : FMB_SIMPLEX;
     b->is_hull = fmb_json_spells(word, "hull");
@@ -95,10 +91,10 @@ static fmb_status read_frame_axis(void *reader, fmb_cursor *c)
     fmb_frame_reader *r = reader;
     fmb_json_blanks(c);
     const char *p = c->at;
-    fmb_status st = fmb_frame_reader_point(r, c, &r->now->axes);
-    if (st == FMB_OK && ++r->now->naxes > r->dim)
-        st = fmb_io_fail(c, p, "expected at most %d edges in %d dimensions", r->dim, r->dim);
-    return st;
+    FMB_TRY(fmb_frame_reader_point(r, c, &r->now->axes));
+    if (++r->now->naxes > r->dim)
+        return fmb_io_fail(c, p, "expected at most %d edges in %d dimensions", r->dim, r->dim);
+    return FMB_OK;
 }
 
 /* The first one is the origin. */
@@ -157,9 +153,7 @@ fmb_status fmb_frame_reader_body(fmb_frame_reader *r, fmb_cursor *c)
     const char *p = c->at;
     unsigned seen;
     reset_body_draft(r->now);
-    fmb_status st = fmb_json_object(c, "a frame", keys, 6, r, &seen);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_json_object(c, "a frame", keys, 6, r, &seen));
     if (!(seen & TYPE))
         return fmb_io_fail(c, p, "expected a \"type\"");
     if (r->now->is_polytope && (seen != (TYPE | ROWS) || !r->now->rows))

@@ -14,12 +14,9 @@ static fmb_status copy_pair_id_as_json(void *reader, fmb_cursor *c)
 {
     fmb_frame_reader *r = reader;
     const char *p = c->at;
-    fmb_status st = fmb_json_skip(c);
+    FMB_TRY(fmb_json_skip(c));
     size_t n = (size_t)(c->at - p);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(&r->mem, (void **)&r->id, &r->id_capacity, n + 1, 1);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(&r->mem, (void **)&r->id, &r->id_capacity, n + 1, 1));
     memcpy(r->id, p, n);
     r->id[n] = '\0';
     r->line.id = r->id;
@@ -57,11 +54,9 @@ static fmb_status read_pair_object(fmb_frame_reader *r, fmb_cursor *c)
     r->exact = true;
     r->digits = r->numbers = 0;
     r->line.id = NULL;
-    fmb_status st = fmb_json_object(c, "a pair of frames, {...}", keys, 3, r, &seen);
-    if (st == FMB_OK && (seen & 3) != 3)
-        st = fmb_io_fail(c, p, "expected \"A\" and \"B\" in a pair");
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_json_object(c, "a pair of frames, {...}", keys, 3, r, &seen));
+    if ((seen & 3) != 3)
+        return fmb_io_fail(c, p, "expected \"A\" and \"B\" in a pair");
     fmb_skip_blanks(c);
     if (fmb_peek(c) >= 0 && fmb_peek(c) != '\n')
         return fmb_io_expected(c, c->at, "end of line");
@@ -106,18 +101,15 @@ static void publish_pair(fmb_frame_reader *r)
 
 fmb_status fmb_frame_reader_rationals(fmb_frame_reader *r)
 {
-    fmb_status st = r ? FMB_OK : FMB_ERR_ARG;
-    for (int k = 0; st == FMB_OK && fmb_frame_reader_are_nearest(r) && k < 2; k++) {
+    FMB_TRY(r ? FMB_OK : FMB_ERR_ARG);
+    for (int k = 0; fmb_frame_reader_are_nearest(r) && k < 2; k++) {
         fmb_body_draft *b = &r->body[k];
-        st = fmb_numbers_rationals(&b->origin, &r->mem);
-        if (st == FMB_OK)
-            st = fmb_numbers_rationals(&b->axes, &r->mem);
-        if (st == FMB_OK)
-            st = fmb_numbers_rationals(&b->speed, &r->mem);
-        if (st == FMB_OK)
-            publish_body(r, k);
+        FMB_TRY(fmb_numbers_rationals(&b->origin, &r->mem));
+        FMB_TRY(fmb_numbers_rationals(&b->axes, &r->mem));
+        FMB_TRY(fmb_numbers_rationals(&b->speed, &r->mem));
+        publish_body(r, k);
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- lines ----------------------------------------------------------------------------------- */
@@ -131,11 +123,8 @@ static fmb_status fetch_line_of_stream(fmb_frame_reader *r)
     bool more = true;
     for (r->size = 0; more;) {
         size_t n = r->size < LEAST ? LEAST : r->size < MOST ? r->size : MOST;
-        fmb_status st = fmb_frame_reader_poll(r);
-        if (st == FMB_OK)
-            st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + n, 1);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_frame_reader_poll(r));
+        FMB_TRY(fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + n, 1));
         size_t got = fmb_fetch_part_of_line(r->in, r->text + r->size, n);
         r->size += got;
         more = got > 0 && r->text[r->size - 1] != '\n';

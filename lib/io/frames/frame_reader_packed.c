@@ -34,9 +34,7 @@ static fmb_status fetch_bytes(fmb_frame_reader *r, size_t n)
 static fmb_status fetch_header(fmb_frame_reader *r, fmb_where *where)
 {
     while (r->left == 0 && !r->is_over) {
-        fmb_status st = fetch_bytes(r, FMB_PACKED_HEADER);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fetch_bytes(r, FMB_PACKED_HEADER));
         r->is_over = r->size == 0;
         if (r->is_over)
             return FMB_OK;
@@ -69,9 +67,7 @@ static bool are_all_zero(const fmb_numbers *a)
 static fmb_status unpack_numbers(fmb_frame_reader *r, fmb_numbers *to, size_t n,
                                  const unsigned char **from)
 {
-    fmb_status st = fmb_mem_reserve(&r->mem, (void **)&to->d, &to->d_capacity, n, sizeof *to->d);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(&r->mem, (void **)&to->d, &to->d_capacity, n, sizeof *to->d));
     fmb_packed_read(*from, r->block.size, n, to->d);
     *from += n * r->block.size;
     to->n = n;
@@ -88,14 +84,12 @@ static fmb_status unpack_body(fmb_frame_reader *r, int k, const unsigned char **
     b->rows = NULL;
     b->shape = (fmb_shape)block->shape[k];
     b->naxes = (int)block->naxes[k];
-    fmb_status st = unpack_numbers(r, &b->origin, dim, from);
-    if (st == FMB_OK)
-        st = unpack_numbers(r, &b->axes, dim * block->naxes[k], from);
-    if (st == FMB_OK)
-        st = unpack_numbers(r, &b->speed, block->moves[k] ? dim : 0, from);
-    if (st == FMB_OK && are_all_zero(&b->speed))
+    FMB_TRY(unpack_numbers(r, &b->origin, dim, from));
+    FMB_TRY(unpack_numbers(r, &b->axes, dim * block->naxes[k], from));
+    FMB_TRY(unpack_numbers(r, &b->speed, block->moves[k] ? dim : 0, from));
+    if (are_all_zero(&b->speed))
         b->speed.n = 0;
-    return st;
+    return FMB_OK;
 }
 
 static bool is_body_finite(const fmb_body_draft *b)

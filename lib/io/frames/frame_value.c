@@ -48,10 +48,9 @@ fmb_status fmb_frame_reader_value(fmb_frame_reader *r, fmb_cursor *c, mpq_t out)
     fmb_json_blanks(c);
     if (!r->how.nearest)
         return read_exact_value(r, c, out, &near);
-    fmb_status st = read_nearest_value(c, &near);
-    if (st == FMB_OK)
-        mpq_set_d(out, near);
-    return st;
+    FMB_TRY(read_nearest_value(c, &near));
+    mpq_set_d(out, near);
+    return FMB_OK;
 }
 
 static fmb_status reserve_one_double(fmb_numbers *a, fmb_mem *mem)
@@ -73,28 +72,25 @@ static fmb_status reserve_rationals(fmb_numbers *a, size_t n, fmb_mem *mem)
 
 fmb_status fmb_numbers_rationals(fmb_numbers *a, fmb_mem *mem)
 {
-    fmb_status st = reserve_rationals(a, a->n, mem);
-    for (size_t i = 0; st == FMB_OK && i < a->n; i++)
+    FMB_TRY(reserve_rationals(a, a->n, mem));
+    for (size_t i = 0; i < a->n; i++)
         mpq_set_d(a->q[i], a->d[i]);
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status read_array_number(void *reader, fmb_cursor *c)
 {
     fmb_frame_reader *r = reader;
     fmb_numbers *a = r->point;
-    fmb_status st = fmb_frame_reader_poll(r);
-    if (st == FMB_OK)
-        st = reserve_one_double(a, &r->mem);
-    if (st == FMB_OK && !r->how.nearest)
-        st = reserve_rationals(a, a->n + 1, &r->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_frame_reader_poll(r));
+    FMB_TRY(reserve_one_double(a, &r->mem));
+    if (!r->how.nearest)
+        FMB_TRY(reserve_rationals(a, a->n + 1, &r->mem));
     fmb_json_blanks(c);
-    st = r->how.nearest ? read_nearest_value(c, &a->d[a->n])
-                        : read_exact_value(r, c, a->q[a->n], &a->d[a->n]);
-    a->n += st == FMB_OK;
-    return st;
+    FMB_TRY(r->how.nearest ? read_nearest_value(c, &a->d[a->n])
+                           : read_exact_value(r, c, a->q[a->n], &a->d[a->n]));
+    a->n++;
+    return FMB_OK;
 }
 
 /* The same of doubles that have few digits and find room, which is nearly always so: quickly.
@@ -129,13 +125,10 @@ fmb_status fmb_frame_reader_point(fmb_frame_reader *r, fmb_cursor *c, fmb_number
     fmb_json_blanks(c);
     const char *p = c->at;
     size_t before = to->n;
-    fmb_status st = FMB_OK;
     r->point = to;
     if (!r->how.nearest || !read_array_of_short_doubles(r, c, to))
-        st = fmb_json_array(c, "an array of numbers", read_array_number, r);
+        FMB_TRY(fmb_json_array(c, "an array of numbers", read_array_number, r));
     size_t n = to->n - before;
-    if (st != FMB_OK)
-        return st;
     if (n == 0 || n > FMB_FRAMES_DIM)
         return fmb_io_fail(c, p, "expected 1 to %d numbers, found %zu", FMB_FRAMES_DIM, n);
     if (r->dim > 0 && n != (size_t)r->dim)

@@ -101,11 +101,11 @@ static const char *find_end_of_number(const fmb_cursor *c)
 static fmb_status scan_quoted_rational(fmb_cursor *c, const char *what, mpq_t out)
 {
     c->at++;
-    fmb_status st = fmb_scan_number(c, FMB_NUM_ALL, what, out);
-    if (st == FMB_OK && fmb_peek(c) != '"')
-        st = fail_expecting_json(c, "'\"' behind a number");
-    c->at += st == FMB_OK;
-    return st;
+    FMB_TRY(fmb_scan_number(c, FMB_NUM_ALL, what, out));
+    if (fmb_peek(c) != '"')
+        return fail_expecting_json(c, "'\"' behind a number");
+    c->at++;
+    return FMB_OK;
 }
 
 fmb_status fmb_json_number(fmb_cursor *c, const char *what, mpq_t out)
@@ -131,9 +131,7 @@ static fmb_status read_bracketed_list(fmb_cursor *c, const char *what, const cha
     fmb_json_blanks(c);
     bool more = fmb_peek(c) != brackets[1];
     while (more) {
-        fmb_status st = item(self, c);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(item(self, c));
         fmb_json_blanks(c);
         more = fmb_peek(c) == ',';
         c->at += more;
@@ -159,9 +157,7 @@ typedef struct members {
 /* A key and its colon. */
 static fmb_status read_key_and_colon(fmb_cursor *c, fmb_span *name)
 {
-    fmb_status st = fmb_json_string(c, "a key in quotes", name);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_json_string(c, "a key in quotes", name));
     fmb_json_blanks(c);
     if (fmb_peek(c) != ':')
         return fail_expecting_json(c, "':'");
@@ -175,9 +171,7 @@ static fmb_status read_known_member(void *self, fmb_cursor *c)
     fmb_span name;
     fmb_json_blanks(c);
     const char *p = c->at;
-    fmb_status st = read_key_and_colon(c, &name);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_key_and_colon(c, &name));
     size_t k = 0;
     while (k < m->n && !fmb_json_spells(name, m->key[k].name))
         k++;
@@ -212,8 +206,8 @@ static fmb_status skip_json_value(void *self, fmb_cursor *c);
 static fmb_status skip_member_value(void *self, fmb_cursor *c)
 {
     fmb_span name;
-    fmb_status st = read_key_and_colon(c, &name);
-    return st == FMB_OK ? skip_json_value(self, c) : st;
+    FMB_TRY(read_key_and_colon(c, &name));
+    return skip_json_value(self, c);
 }
 
 /* self points to the depth. */

@@ -24,12 +24,11 @@ static fmb_status read_variable_index(ieq *f, int *j)
 {
     size_t index = 0;
     const char *p = ++f->c->at;
-    fmb_status st = fmb_scan_count(f->c, SIZE_MAX / 2, "the number of a variable", &index);
-    if (st == FMB_OK && (index < 1 || index > (size_t)fmb_system_dim(f->s)))
-        st = fmb_io_fail(f->c, p, "expected a variable between 1 and %d", fmb_system_dim(f->s));
-    if (st == FMB_OK)
-        *j = (int)index - 1;
-    return st;
+    FMB_TRY(fmb_scan_count(f->c, SIZE_MAX / 2, "the number of a variable", &index));
+    if (index < 1 || index > (size_t)fmb_system_dim(f->s))
+        return fmb_io_fail(f->c, p, "expected a variable between 1 and %d", fmb_system_dim(f->s));
+    *j = (int)index - 1;
+    return FMB_OK;
 }
 
 /* A number, a variable, or both, into the draft: a constant goes to the right side. */
@@ -140,12 +139,11 @@ static fmb_status read_dim_section(ieq *f, const char *word)
 /* A number for each variable. */
 static fmb_status read_number_per_variable(ieq *f)
 {
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(f->s); j++) {
+    for (int j = 0; j < fmb_system_dim(f->s); j++) {
         fmb_skip_space(f->c);
-        st = fmb_scan_number(f->c, FMB_NUM_ALL, "a number for each variable", f->value);
+        FMB_TRY(fmb_scan_number(f->c, FMB_NUM_ALL, "a number for each variable", f->value));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status pass_over_valid_point(ieq *f, const char *word)
@@ -162,31 +160,28 @@ static fmb_status ignore_integer_bounds(ieq *f, const char *word)
 
 static fmb_status read_elimination_order(ieq *f, const char *word)
 {
-    fmb_status st = FMB_OK;
     (void)word;
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(f->s); j++) {
+    for (int j = 0; j < fmb_system_dim(f->s); j++) {
         size_t place = 0;
         fmb_skip_space(f->c);
-        st = fmb_scan_count(f->c, SIZE_MAX / 2, "a place in the order, or 0, for each variable",
-                            &place);
-        if (st == FMB_OK)
-            fmb_system_set_kept(f->s, j, place == 0);
+        FMB_TRY(fmb_scan_count(f->c, SIZE_MAX / 2, "a place in the order, or 0, for each variable",
+                               &place));
+        fmb_system_set_kept(f->s, j, place == 0);
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status read_inequalities(ieq *f, const char *word)
 {
     fmb_cursor *c = f->c;
-    fmb_status st = FMB_OK;
     (void)word;
-    for (fmb_skip_space(c); st == FMB_OK && c->at < c->end; fmb_skip_space(c)) {
+    for (fmb_skip_space(c); c->at < c->end; fmb_skip_space(c)) {
         int b = fmb_peek(c);
         if (!fmb_starts_number(b) && b != '(' && b != 'x' && b != 'X')
             break;
-        st = read_porta_row(f);
+        FMB_TRY(read_porta_row(f));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status refuse_points_section(ieq *f, const char *word)

@@ -17,10 +17,8 @@ static bool is_at_end_of_line(fmb_cursor *c)
 fmb_status fmb_ine_number(fmb_cursor *c, mpq_t out)
 {
     const char *p = c->at;
-    fmb_status st = fmb_scan_number(c, FMB_NUM_ALL, "a number", out);
-    if (st == FMB_OK && fmb_scan_word(c).n > 0)
-        st = fmb_io_expected(c, p, "a number");
-    return st;
+    FMB_TRY(fmb_scan_number(c, FMB_NUM_ALL, "a number", out));
+    return fmb_scan_word(c).n > 0 ? fmb_io_expected(c, p, "a number") : FMB_OK;
 }
 
 void fmb_ine_skip_arguments(fmb_cursor *c)
@@ -261,14 +259,10 @@ static fmb_status set_ine_objective(fmb_ine *f)
 
 fmb_status fmb_ine_finish(fmb_ine *f)
 {
-    fmb_status st = set_relation_of_rows(f, &f->linear, FMB_EQ);
-    if (st == FMB_OK)
-        st = set_relation_of_rows(f, &f->strict, FMB_LT);
-    if (st == FMB_OK)
-        st = set_listed_marks(f);
-    if (st == FMB_OK)
-        st = set_ine_objective(f);
-    return st;
+    FMB_TRY(set_relation_of_rows(f, &f->linear, FMB_EQ));
+    FMB_TRY(set_relation_of_rows(f, &f->strict, FMB_LT));
+    FMB_TRY(set_listed_marks(f));
+    return set_ine_objective(f);
 }
 
 void fmb_ine_clear(fmb_ine *f)

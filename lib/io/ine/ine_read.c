@@ -64,9 +64,7 @@ static fmb_status read_lines_before_matrix(fmb_ine *f)
             return FMB_OK;
         c->at = line;
         bool known;
-        fmb_status st = fmb_ine_option(f, &known);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_ine_option(f, &known));
         if (!known) /* a title */
             fmb_next_line(c);
     }
@@ -87,13 +85,13 @@ static fmb_status check_generator(fmb_cursor *c, const char *p, const mpq_t valu
 static fmb_status read_matrix_entry(fmb_ine *f, size_t j, mpq_t value, fmb_draft *d)
 {
     const char *p = f->c->at;
-    fmb_status st = fmb_ine_number(f->c, value);
-    if (st == FMB_OK && j == 0 && f->generators)
-        st = check_generator(f->c, p, value);
-    if (st == FMB_OK && j > (size_t)fmb_system_dim(f->s))
-        st = fmb_system_add_variable(f->s, NULL, NULL);
-    if (st != FMB_OK || mpq_sgn(value) == 0)
-        return st;
+    FMB_TRY(fmb_ine_number(f->c, value));
+    if (j == 0 && f->generators)
+        FMB_TRY(check_generator(f->c, p, value));
+    if (j > (size_t)fmb_system_dim(f->s))
+        FMB_TRY(fmb_system_add_variable(f->s, NULL, NULL));
+    if (mpq_sgn(value) == 0)
+        return FMB_OK;
     if (j == 0) {
         mpq_set(d->rhs, value);
         return FMB_OK;
@@ -112,9 +110,7 @@ static fmb_status read_matrix_row(fmb_ine *f, const shape *h, mpq_t value, fmb_d
         if (!fmb_starts_number(fmb_peek(c)))
             return fmb_io_expected(c, c->at, "number %zu of the %zu of row %zu", j + 1, h->columns,
                                    fmb_system_rows(f->s) + 1);
-        fmb_status st = read_matrix_entry(f, j, value, d);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(read_matrix_entry(f, j, value, d));
     }
     return fmb_draft_append(c, start, d, FMB_LE, f->s);
 }
@@ -165,13 +161,9 @@ static fmb_status read_ine_matrix(fmb_ine *f)
 {
     fmb_cursor *c = f->c;
     shape h = {0};
-    fmb_status st = read_matrix_shape(c, &h);
-    if (st == FMB_OK)
-        st = read_matrix_rows(f, &h);
-    if (st == FMB_OK)
-        st = skip_surplus_rows(c, &h);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_matrix_shape(c, &h));
+    FMB_TRY(read_matrix_rows(f, &h));
+    FMB_TRY(skip_surplus_rows(c, &h));
     const char *p = c->at;
     if (!fmb_span_is_nocase(fmb_scan_word(c), "end"))
         return fmb_io_expected(c, p, "'end' after %zu rows", fmb_system_rows(f->s));
@@ -191,9 +183,7 @@ static fmb_status read_lines_after_matrix(fmb_ine *f)
             return fmb_io_fail(c, line, "expected one matrix, found a second 'begin'");
         c->at = line;
         bool known;
-        fmb_status st = fmb_ine_option(f, &known);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_ine_option(f, &known));
         if (known)
             continue;
         fmb_io_warn(c, line, "ignored: unknown option %s", fmb_quote(c, line, found));

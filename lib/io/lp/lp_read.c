@@ -31,14 +31,14 @@ static fmb_status next_lp_token(lp_reader *r)
 {
     fmb_lp_token *t = &r->next;
     int j = -1;
-    fmb_status st = fmb_lp_scan(r->c, t, r->value);
-    if (st == FMB_OK && t->kind == FMB_LP_KEYWORD && !t->starts_line)
-        st = fmb_span_find(r->c, t->text, r->program.s, &j);
-    if (st == FMB_OK && j >= 0) {
+    FMB_TRY(fmb_lp_scan(r->c, t, r->value));
+    if (t->kind == FMB_LP_KEYWORD && !t->starts_line)
+        FMB_TRY(fmb_span_find(r->c, t->text, r->program.s, &j));
+    if (j >= 0) {
         t->kind = FMB_LP_NAME;
         r->c->at = t->text.p + t->text.n;
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status fail_lp(lp_reader *r, const char *what)
@@ -201,8 +201,8 @@ static fmb_status read_lp_label(lp_reader *r, fmb_span *label)
     if (!r->next.is_label)
         return FMB_OK;
     *label = r->next.text;
-    fmb_status st = next_lp_token(r);
-    return st == FMB_OK ? next_lp_token(r) : st;
+    FMB_TRY(next_lp_token(r));
+    return next_lp_token(r);
 }
 
 /* keyword: "minimize" or one of its like. */
@@ -211,14 +211,13 @@ static fmb_status read_lp_objective(lp_reader *r, fmb_span keyword)
     fmb_span label;
     bool max = fmb_span_is_nocase((fmb_span){keyword.p, 3}, "max");
     begin_lp_row(r);
-    fmb_status st = read_lp_label(r, &label);
-    if (st == FMB_OK && r->next.kind != FMB_LP_KEYWORD)
-        st = read_lp_sum(r, false, LP_ALL_LINES);
-    if (st == FMB_OK && r->infinite != 0)
-        st = fmb_io_fail(r->c, r->at, "expected a finite objective");
-    return st == FMB_OK ? fmb_draft_set_objective(r->c, r->at, &r->row,
-                                                  max ? FMB_SENSE_MAX : FMB_SENSE_MIN, r->program.s)
-                        : st;
+    FMB_TRY(read_lp_label(r, &label));
+    if (r->next.kind != FMB_LP_KEYWORD)
+        FMB_TRY(read_lp_sum(r, false, LP_ALL_LINES));
+    if (r->infinite != 0)
+        return fmb_io_fail(r->c, r->at, "expected a finite objective");
+    return fmb_draft_set_objective(r->c, r->at, &r->row, max ? FMB_SENSE_MAX : FMB_SENSE_MIN,
+                                   r->program.s);
 }
 
 static fmb_status read_lp_row(lp_reader *r)
@@ -226,13 +225,10 @@ static fmb_status read_lp_row(lp_reader *r)
     fmb_span label;
     size_t i;
     begin_lp_row(r);
-    fmb_status st = read_lp_label(r, &label);
-    if (st == FMB_OK && label.n > 0)
-        st = fmb_program_row(&r->program, label, true, &i);
-    if (st == FMB_OK)
-        st = read_lp_sides(r, LP_ALL_LINES);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_lp_label(r, &label));
+    if (label.n > 0)
+        FMB_TRY(fmb_program_row(&r->program, label, true, &i));
+    FMB_TRY(read_lp_sides(r, LP_ALL_LINES));
     return fmb_program_append(&r->program, r->at, &r->row,
                               r->end[0].finite ? r->end[0].value : NULL,
                               r->end[1].finite ? r->end[1].value : NULL, label);
@@ -244,24 +240,22 @@ static fmb_status read_lp_name(lp_reader *r, int *j)
 {
     if (!has_variable_next(r, LP_ALL_LINES, false))
         return fail_lp(r, "a variable");
-    fmb_status st = fmb_program_variable(&r->program, r->next.text, j);
-    return st == FMB_OK ? next_lp_token(r) : st;
+    FMB_TRY(fmb_program_variable(&r->program, r->next.text, j));
+    return next_lp_token(r);
 }
 
 static fmb_status read_lp_integer(lp_reader *r)
 {
     int j = 0;
-    fmb_status st = read_lp_name(r, &j);
-    return st == FMB_OK ? fmb_system_set_integer(r->program.s, j, true) : st;
+    FMB_TRY(read_lp_name(r, &j));
+    return fmb_system_set_integer(r->program.s, j, true);
 }
 
 /* Its upper bound is 1 unless the text gives one, which it may still do. */
 static fmb_status read_lp_binary(lp_reader *r)
 {
     int j = 0;
-    fmb_status st = read_lp_name(r, &j);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_lp_name(r, &j));
     mpq_set_ui(r->scratch, 1, 1);
     if (!r->program.end[j][FMB_PROGRAM_HIGH].at)
         fmb_program_bound(&r->program, j, FMB_PROGRAM_HIGH, NULL, r->scratch);
@@ -271,9 +265,7 @@ static fmb_status read_lp_binary(lp_reader *r)
 static fmb_status read_lp_bound(lp_reader *r)
 {
     begin_lp_row(r);
-    fmb_status st = read_lp_sides(r, LP_ONE_LINE);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_lp_sides(r, LP_ONE_LINE));
     if (r->row.n != 1 || mpq_cmp_ui(r->row.coef[0], 1, 1) != 0)
         return fmb_io_fail(r->c, r->at, "expected a bound of one variable");
     for (int e = 0; e < 2; e++)
@@ -290,10 +282,10 @@ static fmb_status read_lp_section(lp_reader *r, fmb_lp_section section)
                                                        [FMB_LP_BOUNDS] = read_lp_bound,
                                                        [FMB_LP_GENERAL] = read_lp_integer,
                                                        [FMB_LP_BINARY] = read_lp_binary};
-    fmb_status st = next_lp_token(r);
-    while (st == FMB_OK && r->next.kind != FMB_LP_KEYWORD && r->next.kind != FMB_LP_EOF)
-        st = items[section](r);
-    return st;
+    FMB_TRY(next_lp_token(r));
+    while (r->next.kind != FMB_LP_KEYWORD && r->next.kind != FMB_LP_EOF)
+        FMB_TRY(items[section](r));
+    return FMB_OK;
 }
 
 static bool is_lp_keyword(const lp_reader *r, fmb_lp_section first, fmb_lp_section last)
@@ -303,27 +295,23 @@ static bool is_lp_keyword(const lp_reader *r, fmb_lp_section first, fmb_lp_secti
 
 static fmb_status read_lp_sections(lp_reader *r)
 {
-    fmb_status st = next_lp_token(r);
+    FMB_TRY(next_lp_token(r));
     fmb_span keyword = r->next.text;
-    if (st == FMB_OK && !is_lp_keyword(r, FMB_LP_OBJECTIVE, FMB_LP_OBJECTIVE))
+    if (!is_lp_keyword(r, FMB_LP_OBJECTIVE, FMB_LP_OBJECTIVE))
         return fail_lp(r, "'minimize' or 'maximize'");
-    if (st == FMB_OK)
-        st = next_lp_token(r);
-    if (st == FMB_OK)
-        st = read_lp_objective(r, keyword);
-    if (st == FMB_OK && !is_lp_keyword(r, FMB_LP_ROWS, FMB_LP_ROWS))
+    FMB_TRY(next_lp_token(r));
+    FMB_TRY(read_lp_objective(r, keyword));
+    if (!is_lp_keyword(r, FMB_LP_ROWS, FMB_LP_ROWS))
         return fail_lp(r, "an operator or 'subject to'");
-    while (st == FMB_OK && is_lp_keyword(r, FMB_LP_ROWS, FMB_LP_BINARY))
-        st = read_lp_section(r, r->next.section);
-    if (st != FMB_OK)
-        return st;
+    while (is_lp_keyword(r, FMB_LP_ROWS, FMB_LP_BINARY))
+        FMB_TRY(read_lp_section(r, r->next.section));
     if (r->next.kind == FMB_LP_EOF)
         fmb_io_warn(r->c, r->next.text.p, "'end' is missing: the file may have been cut short");
     else if (r->next.section != FMB_LP_END)
         return fail_lp(r, "rows, bounds, general, binary or end: no other section can be read");
     else
-        st = next_lp_token(r);
-    return st == FMB_OK && r->next.kind != FMB_LP_EOF ? fail_lp(r, "nothing behind 'end'") : st;
+        FMB_TRY(next_lp_token(r));
+    return r->next.kind != FMB_LP_EOF ? fail_lp(r, "nothing behind 'end'") : FMB_OK;
 }
 
 fmb_status fmb_read_lp(fmb_cursor *c, fmb_system *s)

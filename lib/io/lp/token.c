@@ -141,14 +141,14 @@ static void scan_lp_word(fmb_cursor *c, fmb_lp_token *t, const fmb_lp_token *bef
 static fmb_status scan_lp_number(fmb_cursor *c, fmb_lp_token *t, mpq_t value)
 {
     t->kind = FMB_LP_NUMBER;
-    fmb_status st = fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT, "a number", value);
-    if (st == FMB_OK && (fmb_peek(c) | 32) == 'e')
+    FMB_TRY(fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT, "a number", value));
+    if ((fmb_peek(c) | 32) == 'e')
         return fmb_io_fail(c, c->at + 1, "expected the digits of an exponent");
-    if (st == FMB_OK && fmb_peek(c) == '/')
+    if (fmb_peek(c) == '/')
         return fmb_io_fail(c, c->at,
                            "expected a decimal, or a blank in front of a name that begins "
                            "with '/': LP has no fractions");
-    return st;
+    return FMB_OK;
 }
 
 /* Past blanks, line ends and comments; true if a line end was among them. */

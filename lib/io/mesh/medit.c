@@ -17,9 +17,8 @@ static fmb_status check_dimension(fmb_cursor *c, fmb_mesh_draft *d)
     size_t dim = 0;
     d->skip(c);
     const char *p = c->at;
-    fmb_status st = fmb_mesh_scan_size(c, d, "3", &dim);
-    return st == FMB_OK && dim != 3 ? fmb_io_fail(c, p, "expected 3 dimensions, found %zu", dim)
-                                    : st;
+    FMB_TRY(fmb_mesh_scan_size(c, d, "3", &dim));
+    return dim != 3 ? fmb_io_fail(c, p, "expected 3 dimensions, found %zu", dim) : FMB_OK;
 }
 
 static fmb_status skip_reference(fmb_cursor *c, fmb_mesh_draft *d)
@@ -31,21 +30,19 @@ static fmb_status skip_reference(fmb_cursor *c, fmb_mesh_draft *d)
 static fmb_status read_medit_vertex(fmb_cursor *c, fmb_mesh_draft *d)
 {
     double p[3];
-    fmb_status st = fmb_mesh_scan_point(c, d, p);
-    return st == FMB_OK ? fmb_mesh_draft_point(c, d, p) : st;
+    FMB_TRY(fmb_mesh_scan_point(c, d, p));
+    return fmb_mesh_draft_point(c, d, p);
 }
 
 static fmb_status read_medit_face(fmb_cursor *c, fmb_mesh_draft *d, int corners)
 {
-    fmb_status st = FMB_OK;
     size_t v;
     fmb_mesh_draft_face(d);
-    for (int k = 0; st == FMB_OK && k < corners; k++) {
-        st = fmb_mesh_scan_vertex(c, d, 1, d->points, &v);
-        if (st == FMB_OK)
-            st = fmb_mesh_draft_corner(c, d, v);
+    for (int k = 0; k < corners; k++) {
+        FMB_TRY(fmb_mesh_scan_vertex(c, d, 1, d->points, &v));
+        FMB_TRY(fmb_mesh_draft_corner(c, d, v));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status read_medit_triangle(fmb_cursor *c, fmb_mesh_draft *d)
@@ -78,13 +75,12 @@ typedef struct medit_section {
 static fmb_status read_medit_section(fmb_cursor *c, fmb_mesh_draft *d, const medit_section *s)
 {
     size_t n = 0;
-    fmb_status st = fmb_mesh_scan_size(c, d, "the number of lines of a section", &n);
-    for (size_t i = 0; st == FMB_OK && i < n; i++) {
-        st = s->line(c, d);
-        if (st == FMB_OK)
-            st = skip_reference(c, d);
+    FMB_TRY(fmb_mesh_scan_size(c, d, "the number of lines of a section", &n));
+    for (size_t i = 0; i < n; i++) {
+        FMB_TRY(s->line(c, d));
+        FMB_TRY(skip_reference(c, d));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status read_medit_keyword(fmb_cursor *c, fmb_mesh_draft *d, fmb_span word)
@@ -101,16 +97,15 @@ static fmb_status read_medit_keyword(fmb_cursor *c, fmb_mesh_draft *d, fmb_span 
 
 fmb_status fmb_mesh_read_medit(fmb_cursor *c, fmb_mesh_draft *d)
 {
-    fmb_status st = FMB_OK;
     d->skip = fmb_mesh_skip_comments;
-    for (d->skip(c); st == FMB_OK && c->at < c->end; d->skip(c)) {
+    for (d->skip(c); c->at < c->end; d->skip(c)) {
         const char *p = c->at;
         fmb_span word = fmb_scan_word(c);
         if (fmb_span_is_nocase(word, "End"))
             return FMB_OK;
         int letter = *p | 32;
-        st = letter >= 'a' && letter <= 'z' ? read_medit_keyword(c, d, word)
-                                            : fmb_io_expected(c, p, "a keyword");
+        FMB_TRY(letter >= 'a' && letter <= 'z' ? read_medit_keyword(c, d, word)
+                                               : fmb_io_expected(c, p, "a keyword"));
     }
-    return st;
+    return FMB_OK;
 }

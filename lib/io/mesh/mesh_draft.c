@@ -24,12 +24,12 @@ fmb_status fmb_mesh_draft_point(fmb_cursor *c, fmb_mesh_draft *d, const double p
 {
     if (d->points == FMB_MESH_MOST)
         return refuse_more(c, "vertices");
-    fmb_status st = fmb_mem_reserve(d->mem, (void **)&d->point, &d->point_capacity, d->points + 1,
-                                    3 * sizeof *d->point);
-    for (int j = 0; st == FMB_OK && j < 3; j++)
+    FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->point, &d->point_capacity, d->points + 1,
+                            3 * sizeof *d->point));
+    for (int j = 0; j < 3; j++)
         d->point[3 * d->points + (size_t)j] = p[j];
-    d->points += st == FMB_OK;
-    return st;
+    d->points++;
+    return FMB_OK;
 }
 
 void fmb_mesh_draft_face(fmb_mesh_draft *d)
@@ -42,16 +42,13 @@ static fmb_status append_triangle(fmb_cursor *c, fmb_mesh_draft *d, uint32_t thi
 {
     if (d->triangles == FMB_MESH_MOST || d->faces > FMB_MESH_MOST)
         return refuse_more(c, "triangles");
-    fmb_status st = fmb_mem_reserve(d->mem, (void **)&d->triangle, &d->triangle_capacity,
-                                    d->triangles + 1, 3 * sizeof *d->triangle);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(d->mem, (void **)&d->face, &d->face_capacity, d->triangles + 1,
-                             sizeof *d->face);
-    if (st == FMB_OK && d->names_size > 0)
-        st = fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles + 1,
-                             sizeof *d->group);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->triangle, &d->triangle_capacity, d->triangles + 1,
+                            3 * sizeof *d->triangle));
+    FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->face, &d->face_capacity, d->triangles + 1,
+                            sizeof *d->face));
+    if (d->names_size > 0)
+        FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles + 1,
+                                sizeof *d->group));
     if (d->names_size > 0)
         d->group[d->triangles] = d->group_now;
     uint32_t *to = d->triangle + 3 * d->triangles;
@@ -75,12 +72,10 @@ fmb_status fmb_mesh_draft_corner(fmb_cursor *c, fmb_mesh_draft *d, size_t vertex
 /* Triangles that came before the first name are of none. */
 static fmb_status begin_names(fmb_mesh_draft *d)
 {
-    fmb_status st = fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity, 1, 1);
-    if (st == FMB_OK && d->triangles > 0)
-        st = fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles,
-                             sizeof *d->group);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity, 1, 1));
+    if (d->triangles > 0)
+        FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles,
+                                sizeof *d->group));
     for (size_t i = 0; i < d->triangles; i++)
         d->group[i] = 0;
     d->names[d->names_size++] = '\0';
@@ -94,12 +89,9 @@ fmb_status fmb_mesh_draft_group(fmb_cursor *c, fmb_mesh_draft *d, fmb_span name)
         return FMB_OK;
     if (name.n >= FMB_MESH_MOST - d->names_size)
         return refuse_more(c, "bytes of names");
-    fmb_status st = d->names_size == 0 ? begin_names(d) : FMB_OK;
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity,
-                             d->names_size + name.n + 1, 1);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(d->names_size == 0 ? begin_names(d) : FMB_OK);
+    FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity,
+                            d->names_size + name.n + 1, 1));
     d->group_now = (uint32_t)d->names_size;
     memcpy(d->names + d->names_size, name.p, name.n);
     d->names_size += name.n;
@@ -111,12 +103,12 @@ fmb_status fmb_mesh_draft_tetrahedron(fmb_cursor *c, fmb_mesh_draft *d, const ui
 {
     if (d->tetrahedra == FMB_MESH_MOST)
         return refuse_more(c, "tetrahedra");
-    fmb_status st = fmb_mem_reserve(d->mem, (void **)&d->tetrahedron, &d->tetrahedron_capacity,
-                                    d->tetrahedra + 1, 4 * sizeof *d->tetrahedron);
-    for (int k = 0; st == FMB_OK && k < 4; k++)
+    FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->tetrahedron, &d->tetrahedron_capacity,
+                            d->tetrahedra + 1, 4 * sizeof *d->tetrahedron));
+    for (int k = 0; k < 4; k++)
         d->tetrahedron[4 * d->tetrahedra + (size_t)k] = corner[k];
-    d->tetrahedra += st == FMB_OK;
-    return st;
+    d->tetrahedra++;
+    return FMB_OK;
 }
 
 /* ---- words of a text ------------------------------------------------------------------------- */
@@ -146,24 +138,23 @@ fmb_status fmb_mesh_scan_real(fmb_cursor *c, const fmb_mesh_draft *d, double *ou
 {
     d->skip(c);
     const char *p = c->at;
-    fmb_status st = fmb_scan_nearest(c, "a number", out);
-    return st == FMB_OK ? check_end_of_number(c, p, "a number") : st;
+    FMB_TRY(fmb_scan_nearest(c, "a number", out));
+    return check_end_of_number(c, p, "a number");
 }
 
 fmb_status fmb_mesh_scan_point(fmb_cursor *c, const fmb_mesh_draft *d, double out[3])
 {
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < 3; j++)
-        st = fmb_mesh_scan_real(c, d, &out[j]);
-    return st;
+    for (int j = 0; j < 3; j++)
+        FMB_TRY(fmb_mesh_scan_real(c, d, &out[j]));
+    return FMB_OK;
 }
 
 fmb_status fmb_mesh_scan_size(fmb_cursor *c, const fmb_mesh_draft *d, const char *what, size_t *out)
 {
     d->skip(c);
     const char *p = c->at;
-    fmb_status st = fmb_scan_count(c, FMB_MESH_MOST, what, out);
-    return st == FMB_OK ? check_end_of_number(c, p, what) : st;
+    FMB_TRY(fmb_scan_count(c, FMB_MESH_MOST, what, out));
+    return check_end_of_number(c, p, what);
 }
 
 fmb_status fmb_mesh_scan_vertex(fmb_cursor *c, const fmb_mesh_draft *d, size_t base,
@@ -172,9 +163,7 @@ fmb_status fmb_mesh_scan_vertex(fmb_cursor *c, const fmb_mesh_draft *d, size_t b
     size_t v = 0;
     d->skip(c);
     const char *p = c->at;
-    fmb_status st = fmb_mesh_scan_size(c, d, "the number of a vertex", &v);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mesh_scan_size(c, d, "the number of a vertex", &v));
     if (v < base || v - base >= vertices)
         return fmb_io_expected(c, p, "one of %zu vertices, numbered from %zu", vertices, base);
     *out = v - base;

@@ -149,16 +149,15 @@ static fmb_status check_mesh_arguments(fmb_mesh_format f, fmb_mesh **out, fmb_wh
 fmb_status fmb_mesh_parse(const char *text, size_t size, fmb_mesh_format f, const fmb_reader *how,
                           fmb_mesh **out, fmb_where *where)
 {
-    fmb_status st = check_mesh_arguments(f, out, where);
-    return st == FMB_OK ? fmb_parse_memory(text, size, how, parse_mesh, &(mesh_as){f, out}, where)
-                        : st;
+    FMB_TRY(check_mesh_arguments(f, out, where));
+    return fmb_parse_memory(text, size, how, parse_mesh, &(mesh_as){f, out}, where);
 }
 
 fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how, fmb_mesh **out,
                          fmb_where *where)
 {
-    fmb_status st = check_mesh_arguments(f, out, where);
-    return st == FMB_OK ? fmb_parse_stream(in, how, parse_mesh, &(mesh_as){f, out}, where) : st;
+    FMB_TRY(check_mesh_arguments(f, out, where));
+    return fmb_parse_stream(in, how, parse_mesh, &(mesh_as){f, out}, where);
 }
 
 /* ---- TetGen ---------------------------------------------------------------------------------- */
@@ -177,8 +176,8 @@ typedef struct tetgen_part {
 static fmb_status parse_part_of_tetgen(fmb_cursor *c, void *self)
 {
     const tetgen_part *part = self;
-    fmb_status st = fmb_io_check(c);
-    return st == FMB_OK ? part->read(c, part->d) : st;
+    FMB_TRY(fmb_io_check(c));
+    return part->read(c, part->d);
 }
 
 /* All of it into a draft. */
@@ -215,10 +214,8 @@ static fmb_status read_tetgen_files(const tetgen_file *points, const tetgen_file
     fmb_reader reader;
     fmb_where at = {0};
     bool second = false;
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st != FMB_OK)
-        return st;
-    st = read_tetgen(points, cells, &reader, out, &at, &second);
+    FMB_TRY(fmb_io_take_reader(how, &reader, where));
+    fmb_status st = read_tetgen(points, cells, &reader, out, &at, &second);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     if (in_cells)

@@ -32,25 +32,25 @@ static fmb_status read_obj_corner(fmb_cursor *c, fmb_mesh_draft *d)
     const char *p = c->at;
     bool back = fmb_accept(c, "-");
     size_t v = 0;
-    fmb_status st = fmb_scan_count(c, FMB_MESH_MOST, "the number of a vertex", &v);
-    if (st == FMB_OK && (v == 0 || (back && v > d->points)))
-        st = fmb_io_expected(c, p, "one of %zu vertices, numbered from 1", d->points);
-    if (st == FMB_OK && fmb_peek(c) == '/')
+    FMB_TRY(fmb_scan_count(c, FMB_MESH_MOST, "the number of a vertex", &v));
+    if (v == 0 || (back && v > d->points))
+        return fmb_io_expected(c, p, "one of %zu vertices, numbered from 1", d->points);
+    if (fmb_peek(c) == '/')
         fmb_scan_word(c);
-    if (st == FMB_OK && !is_end_of_statement(c) && !strchr(" \t\r\f\v\\", fmb_peek(c)))
-        st = fmb_io_expected(c, p, "the number of a vertex");
-    return st == FMB_OK ? fmb_mesh_draft_corner(c, d, back ? d->points - v : v - 1) : st;
+    if (!is_end_of_statement(c) && !strchr(" \t\r\f\v\\", fmb_peek(c)))
+        return fmb_io_expected(c, p, "the number of a vertex");
+    return fmb_mesh_draft_corner(c, d, back ? d->points - v : v - 1);
 }
 
 static fmb_status read_obj_face(fmb_cursor *c, fmb_mesh_draft *d, const char *p)
 {
-    fmb_status st = FMB_OK;
     fmb_mesh_draft_face(d);
-    for (d->skip(c); st == FMB_OK && !is_end_of_statement(c); d->skip(c))
-        st = read_obj_corner(c, d);
-    if (st == FMB_OK && d->face_corners < 3)
-        st = fmb_io_fail(c, p, "expected a face of at least 3 corners, found %d", d->face_corners);
-    return st;
+    for (d->skip(c); !is_end_of_statement(c); d->skip(c))
+        FMB_TRY(read_obj_corner(c, d));
+    if (d->face_corners < 3)
+        return fmb_io_fail(c, p, "expected a face of at least 3 corners, found %d",
+                           d->face_corners);
+    return FMB_OK;
 }
 
 /* All words of the line, as they stand. */
@@ -77,8 +77,8 @@ static fmb_status read_obj_statement(fmb_cursor *c, fmb_mesh_draft *d)
         return read_obj_group(c, d);
     if (!fmb_span_is(word, "v"))
         return FMB_OK;
-    fmb_status st = fmb_mesh_scan_point(c, d, x);
-    return st == FMB_OK ? fmb_mesh_draft_point(c, d, x) : st;
+    FMB_TRY(fmb_mesh_scan_point(c, d, x));
+    return fmb_mesh_draft_point(c, d, x);
 }
 
 /* All faces are read: are all their corners there? */

@@ -89,16 +89,12 @@ fmb_status fmb_mesh_read_off(fmb_cursor *c, fmb_mesh_draft *d)
     size_t vertices = 0, faces = 0, edges;
     int more;
     d->skip = fmb_mesh_skip_comments;
-    fmb_status st = read_off_header(c, &more);
-    if (st == FMB_OK)
-        st = fmb_mesh_scan_size(c, d, "the number of vertices", &vertices);
-    if (st == FMB_OK)
-        st = fmb_mesh_scan_size(c, d, "the number of faces", &faces);
-    if (st == FMB_OK)
-        st = fmb_mesh_scan_size(c, d, "the number of edges", &edges);
-    if (st == FMB_OK)
-        st = read_off_points(c, d, vertices, more, has_line_for_each(*c, vertices, faces));
-    for (size_t i = 0; st == FMB_OK && i < faces; i++)
-        st = read_off_face(c, d);
-    return st;
+    FMB_TRY(read_off_header(c, &more));
+    FMB_TRY(fmb_mesh_scan_size(c, d, "the number of vertices", &vertices));
+    FMB_TRY(fmb_mesh_scan_size(c, d, "the number of faces", &faces));
+    FMB_TRY(fmb_mesh_scan_size(c, d, "the number of edges", &edges));
+    FMB_TRY(read_off_points(c, d, vertices, more, has_line_for_each(*c, vertices, faces)));
+    for (size_t i = 0; i < faces; i++)
+        FMB_TRY(read_off_face(c, d));
+    return FMB_OK;
 }

@@ -79,13 +79,11 @@ static fmb_status read_ply_element(fmb_cursor *c, ply_header *h)
                      .from = h->properties,
                      .to = h->properties};
     fmb_skip_blanks(c);
-    fmb_status st = fmb_scan_count(c, FMB_MESH_MOST, "the number of elements", &e.number);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(c->mem, (void **)&h->element, &h->element_capacity, h->elements + 1,
-                             sizeof *h->element);
-    if (st == FMB_OK)
-        h->element[h->elements++] = e;
-    return st;
+    FMB_TRY(fmb_scan_count(c, FMB_MESH_MOST, "the number of elements", &e.number));
+    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&h->element, &h->element_capacity, h->elements + 1,
+                            sizeof *h->element));
+    h->element[h->elements++] = e;
+    return FMB_OK;
 }
 
 static fmb_status read_ply_type(fmb_cursor *c, fmb_span word, bool whole, const ply_type **out)
@@ -169,16 +167,15 @@ static fmb_status read_ply_header(fmb_cursor *c, ply_header *h)
 {
     bool end = false;
     fmb_span word = scan_header_word(c);
-    fmb_status st = fmb_span_is(word, "ply") ? FMB_OK : fail_at_word(c, word, "ply");
-    while (st == FMB_OK && !end) {
+    FMB_TRY(fmb_span_is(word, "ply") ? FMB_OK : fail_at_word(c, word, "ply"));
+    while (!end) {
         fmb_next_line(c);
-        st = read_ply_line(c, h, &end);
+        FMB_TRY(read_ply_line(c, h, &end));
     }
-    for (size_t i = 0; st == FMB_OK && i < h->elements; i++)
-        st = check_ply_element(c, &h->element[i]);
-    if (st == FMB_OK)
-        fmb_next_line(c);
-    return st;
+    for (size_t i = 0; i < h->elements; i++)
+        FMB_TRY(check_ply_element(c, &h->element[i]));
+    fmb_next_line(c);
+    return FMB_OK;
 }
 
 /* ---- numbers --------------------------------------------------------------------------------- */
@@ -241,18 +238,16 @@ static fmb_status skip_ply_number(const ply_reader *r, const ply_type *t)
 /* Vertices may come behind the faces. */
 static fmb_status read_ply_corners(const ply_reader *r, const ply_property *p, size_t n)
 {
-    fmb_status st = FMB_OK;
     if (n < 3)
         return fmb_io_fail(r->c, NULL, "expected at least 3 corners of face %zu, found %zu",
                            r->d->faces, n);
     fmb_mesh_draft_face(r->d);
-    for (size_t k = 0; st == FMB_OK && k < n; k++) {
+    for (size_t k = 0; k < n; k++) {
         size_t v = 0;
-        st = read_ply_whole(r, p->type, "the number of a vertex", &v);
-        if (st == FMB_OK)
-            st = fmb_mesh_draft_corner(r->c, r->d, v);
+        FMB_TRY(read_ply_whole(r, p->type, "the number of a vertex", &v));
+        FMB_TRY(fmb_mesh_draft_corner(r->c, r->d, v));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* -1 ends a strip, if the type has it. */
@@ -277,14 +272,13 @@ static bool scan_end_of_strip(const ply_reader *r, const ply_type *t)
 
 static fmb_status append_triangle_of_strip(const ply_reader *r, const size_t v[3], bool turned)
 {
-    fmb_status st = FMB_OK;
     const size_t corner[3] = {v[turned], v[!turned], v[2]};
     if (v[0] == v[1] || v[1] == v[2] || v[0] == v[2])
         return FMB_OK;
     fmb_mesh_draft_face(r->d);
-    for (int k = 0; st == FMB_OK && k < 3; k++)
-        st = fmb_mesh_draft_corner(r->c, r->d, corner[k]);
-    return st;
+    for (int k = 0; k < 3; k++)
+        FMB_TRY(fmb_mesh_draft_corner(r->c, r->d, corner[k]));
+    return FMB_OK;
 }
 
 /* Three vertices in a row are a triangle; every second one of a strip is turned, so that all have
@@ -313,30 +307,27 @@ static fmb_status read_ply_strips(ply_reader *r, const ply_property *p, size_t n
 static fmb_status read_ply_value(ply_reader *r, const ply_property *p)
 {
     size_t n = 1;
-    fmb_status st = p->count ? read_ply_whole(r, p->count, "the length of a list", &n) : FMB_OK;
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(p->count ? read_ply_whole(r, p->count, "the length of a list", &n) : FMB_OK);
     if (p->role == ROLE_CORNERS)
         return read_ply_corners(r, p, n);
     if (p->role == ROLE_STRIPS)
         return read_ply_strips(r, p, n);
     if (p->role != ROLE_NONE)
         return read_ply_real(r, p->type, &r->point[p->role]);
-    for (size_t k = 0; st == FMB_OK && k < n; k++)
-        st = skip_ply_number(r, p->type);
-    return st;
+    for (size_t k = 0; k < n; k++)
+        FMB_TRY(skip_ply_number(r, p->type));
+    return FMB_OK;
 }
 
 static fmb_status read_ply_elements(ply_reader *r, const ply_element *e)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < e->number && e->from < e->to; i++) {
-        for (size_t k = e->from; st == FMB_OK && k < e->to; k++)
-            st = read_ply_value(r, &r->h->property[k]);
-        if (st == FMB_OK && e->kind == PLY_VERTEX)
-            st = fmb_mesh_draft_point(r->c, r->d, r->point);
+    for (size_t i = 0; i < e->number && e->from < e->to; i++) {
+        for (size_t k = e->from; k < e->to; k++)
+            FMB_TRY(read_ply_value(r, &r->h->property[k]));
+        if (e->kind == PLY_VERTEX)
+            FMB_TRY(fmb_mesh_draft_point(r->c, r->d, r->point));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Strips may have corners that are in no triangle. */

@@ -29,14 +29,12 @@ bool fmb_mesh_is_binary_stl(const fmb_cursor *c)
 
 static fmb_status add_facet(fmb_cursor *c, fmb_mesh_draft *d, double corner[3][3])
 {
-    fmb_status st = FMB_OK;
     fmb_mesh_draft_face(d);
-    for (int k = 0; st == FMB_OK && k < 3; k++) {
-        st = fmb_mesh_draft_corner(c, d, d->points);
-        if (st == FMB_OK)
-            st = fmb_mesh_draft_point(c, d, corner[k]);
+    for (int k = 0; k < 3; k++) {
+        FMB_TRY(fmb_mesh_draft_corner(c, d, d->points));
+        FMB_TRY(fmb_mesh_draft_point(c, d, corner[k]));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status read_binary_facet(fmb_cursor *c, fmb_mesh_draft *d)
@@ -70,17 +68,15 @@ static fmb_status read_text_facet(fmb_cursor *c, fmb_mesh_draft *d)
     static const char *const end[] = {"endloop", "endfacet"};
     double corner[3][3];
     fmb_skip_line(c);
-    fmb_status st = expect_word(c, d, "outer");
-    if (st == FMB_OK)
-        st = expect_word(c, d, "loop");
-    for (int k = 0; st == FMB_OK && k < 3; k++) {
-        st = expect_word(c, d, "vertex");
-        if (st == FMB_OK)
-            st = fmb_mesh_scan_point(c, d, corner[k]);
+    FMB_TRY(expect_word(c, d, "outer"));
+    FMB_TRY(expect_word(c, d, "loop"));
+    for (int k = 0; k < 3; k++) {
+        FMB_TRY(expect_word(c, d, "vertex"));
+        FMB_TRY(fmb_mesh_scan_point(c, d, corner[k]));
     }
-    for (int k = 0; st == FMB_OK && k < 2; k++)
-        st = expect_word(c, d, end[k]);
-    return st == FMB_OK ? add_facet(c, d, corner) : st;
+    for (int k = 0; k < 2; k++)
+        FMB_TRY(expect_word(c, d, end[k]));
+    return add_facet(c, d, corner);
 }
 
 /* One solid after another. */
@@ -107,9 +103,8 @@ fmb_status fmb_mesh_read_stl(fmb_cursor *c, fmb_mesh_draft *d)
 {
     if (!fmb_mesh_is_binary_stl(c))
         return read_text_stl(c, d);
-    fmb_status st = FMB_OK;
     c->at = c->begin + HEADER_BYTES + 4;
-    while (st == FMB_OK && c->at < c->end)
-        st = read_binary_facet(c, d);
-    return st;
+    while (c->at < c->end)
+        FMB_TRY(read_binary_facet(c, d));
+    return FMB_OK;
 }

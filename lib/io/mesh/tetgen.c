@@ -10,12 +10,12 @@ static fmb_status read_line_number(fmb_cursor *c, fmb_mesh_draft *d, size_t i, s
     size_t number = 0;
     d->skip(c);
     const char *p = c->at;
-    fmb_status st = fmb_mesh_scan_size(c, d, "the number of a line", &number);
-    if (st == FMB_OK && i == 0 && number <= 1)
+    FMB_TRY(fmb_mesh_scan_size(c, d, "the number of a line", &number));
+    if (i == 0 && number <= 1)
         *base = number;
-    if (st == FMB_OK && number != *base + i)
-        st = fmb_io_fail(c, p, "expected line number %zu, found %zu", *base + i, number);
-    return st;
+    if (number != *base + i)
+        return fmb_io_fail(c, p, "expected line number %zu, found %zu", *base + i, number);
+    return FMB_OK;
 }
 
 fmb_status fmb_mesh_read_node(fmb_cursor *c, fmb_mesh_draft *d)

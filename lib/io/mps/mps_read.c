@@ -103,11 +103,8 @@ static fmb_status read_row(mps_reader *m, const fmb_mps_card *card)
     if (f[1].n == 0 || f[2].n > 0)
         return fail_field(m, f[1].n == 0 ? f[1] : f[2], "one name of a row");
     size_t i;
-    fmb_status st = fmb_program_row(&m->program, f[1], true, &i);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(m->c->mem, (void **)&m->row, &m->row_capacity, i + 1, sizeof *m->row);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_program_row(&m->program, f[1], true, &i));
+    FMB_TRY(fmb_mem_reserve(m->c->mem, (void **)&m->row, &m->row_capacity, i + 1, sizeof *m->row));
     m->row[i] = (mps_row){.type = (char)(*known & ~32), .name = f[1]};
     m->rows++;
     return FMB_OK;
@@ -117,22 +114,18 @@ static fmb_status add_coefficient(mps_reader *m, mps_row *r, fmb_span row, fmb_s
 {
     if (r->terms > 0 && r->term[r->terms - 1].variable == m->variable)
         return fail_field(m, row, "one coefficient of a column in each row");
-    fmb_status st =
-        fmb_mem_reserve(m->c->mem, (void **)&r->term, &r->capacity, r->terms + 1, sizeof *r->term);
-    if (st == FMB_OK)
-        r->term[r->terms++] = (mps_term){m->variable, number};
-    return st;
+    FMB_TRY(
+        fmb_mem_reserve(m->c->mem, (void **)&r->term, &r->capacity, r->terms + 1, sizeof *r->term));
+    r->term[r->terms++] = (mps_term){m->variable, number};
+    return FMB_OK;
 }
 
 /* A row and its number: a coefficient, a right side or a range. */
 static fmb_status read_entry(mps_reader *m, fmb_span set, fmb_span row, fmb_span number)
 {
     size_t i = 0;
-    fmb_status st = fmb_program_row(&m->program, row, false, &i);
-    if (st == FMB_OK)
-        st = read_field_number(m, number);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_program_row(&m->program, row, false, &i));
+    FMB_TRY(read_field_number(m, number));
     mps_row *r = &m->row[i];
     if (m->section == FMB_MPS_COLUMNS)
         return add_coefficient(m, r, row, number);
@@ -148,8 +141,8 @@ static fmb_status read_entry(mps_reader *m, fmb_span set, fmb_span row, fmb_span
 static fmb_status read_entries(mps_reader *m, const fmb_mps_card *card)
 {
     const fmb_span *f = card->field;
-    fmb_status st = read_entry(m, f[1], f[2], f[3]);
-    return st == FMB_OK && f[4].n + f[5].n > 0 ? read_entry(m, f[1], f[4], f[5]) : st;
+    FMB_TRY(read_entry(m, f[1], f[2], f[3]));
+    return f[4].n + f[5].n > 0 ? read_entry(m, f[1], f[4], f[5]) : FMB_OK;
 }
 
 static fmb_status read_marker(mps_reader *m, fmb_span kind)
@@ -181,15 +174,13 @@ static fmb_status read_column(mps_reader *m, const fmb_mps_card *card)
 /* Terms and right side of a row, into the draft. */
 static fmb_status put_row_together(mps_reader *m, const mps_row *r)
 {
-    fmb_status st = FMB_OK;
     fmb_draft_reset(&m->draft);
-    for (size_t k = 0; st == FMB_OK && k < r->terms; k++) {
+    for (size_t k = 0; k < r->terms; k++) {
         mpq_ptr slot;
-        st = fmb_draft_term(&m->draft, r->term[k].variable, &slot);
-        if (st == FMB_OK)
-            st = read_number_again(m, r->term[k].number, slot);
+        FMB_TRY(fmb_draft_term(&m->draft, r->term[k].variable, &slot));
+        FMB_TRY(read_number_again(m, r->term[k].number, slot));
     }
-    return st == FMB_OK && r->rhs.n > 0 ? read_number_again(m, r->rhs, m->draft.rhs) : st;
+    return r->rhs.n > 0 ? read_number_again(m, r->rhs, m->draft.rhs) : FMB_OK;
 }
 
 /* The ends of a row are its right side, and with a range R: rhs - |R| and rhs (L), rhs and rhs +
@@ -198,11 +189,9 @@ static fmb_status append_mps_row(mps_reader *m, mps_row *r)
 {
     bool has_range = r->range.n > 0, down = r->type == 'L', open = false;
     fmb_program_draft *p = &m->program;
-    fmb_status st = put_row_together(m, r);
-    if (st == FMB_OK && has_range)
-        st = read_field_number(m, r->range);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(put_row_together(m, r));
+    if (has_range)
+        FMB_TRY(read_field_number(m, r->range));
     mpq_set(m->low, m->draft.rhs);
     mpq_set(m->high, m->draft.rhs);
     if (has_range) {
@@ -226,11 +215,10 @@ static fmb_status append_mps_row(mps_reader *m, mps_row *r)
 
 static fmb_status append_mps_rows(mps_reader *m)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < m->rows; i++)
+    for (size_t i = 0; i < m->rows; i++)
         if (m->row[i].type != 'N')
-            st = append_mps_row(m, &m->row[i]);
-    return st;
+            FMB_TRY(append_mps_row(m, &m->row[i]));
+    return FMB_OK;
 }
 
 static bool is_named_objective(const mps_reader *m, const mps_row *r)
@@ -247,10 +235,8 @@ static fmb_status set_mps_objective(mps_reader *m)
         const mps_row *r = &m->row[i];
         if (r->type != 'N' || !is_named_objective(m, r))
             continue;
-        fmb_status st = put_row_together(m, r);
-        return st == FMB_OK
-                   ? fmb_draft_set_objective(m->c, r->name.p, &m->draft, m->sense, m->program.s)
-                   : st;
+        FMB_TRY(put_row_together(m, r));
+        return fmb_draft_set_objective(m->c, r->name.p, &m->draft, m->sense, m->program.s);
     }
     return m->objective.n > 0 ? fail_field(m, m->objective, "the name of a row of type N") : FMB_OK;
 }
@@ -303,15 +289,15 @@ static fmb_status read_bound(mps_reader *m, const fmb_mps_card *card)
     int j = -1;
     if (!kind)
         return fail_field(m, f[0], "a kind of bound: LO, UP, FX, FR, MI, PL, BV, LI or UI");
-    fmb_status st = f[2].n > 0 ? fmb_span_find(m->c, f[2], m->program.s, &j) : FMB_OK;
-    if (st == FMB_OK && j < 0)
-        st = fail_field(m, f[2], "the name of a column");
+    FMB_TRY(f[2].n > 0 ? fmb_span_find(m->c, f[2], m->program.s, &j) : FMB_OK);
+    if (j < 0)
+        return fail_field(m, f[2], "the name of a column");
     bool number = kind->end[0] == 'n' || kind->end[1] == 'n';
-    if (st == FMB_OK && number)
-        st = read_field_number(m, f[3]);
-    if (st == FMB_OK && number && kind->integer && mpz_cmp_ui(mpq_denref(m->number), 1) != 0)
-        st = fail_field(m, f[3], "a whole number as bound of an integer column");
-    return st == FMB_OK && is_first_set(m, f[1]) ? set_mps_bound(m, kind, j, f[2]) : st;
+    if (number)
+        FMB_TRY(read_field_number(m, f[3]));
+    if (number && kind->integer && mpz_cmp_ui(mpq_denref(m->number), 1) != 0)
+        return fail_field(m, f[3], "a whole number as bound of an integer column");
+    return is_first_set(m, f[1]) ? set_mps_bound(m, kind, j, f[2]) : FMB_OK;
 }
 
 /* Integer columns, which stand between markers where no bound made them so, end at 1 unless the
@@ -399,13 +385,13 @@ static fmb_status read_data(mps_reader *m, fmb_mps_card *card)
 static fmb_status read_cards(mps_reader *m)
 {
     fmb_mps_card card;
-    fmb_status st = FMB_OK;
-    while (st == FMB_OK && m->section != FMB_MPS_ENDATA) {
+    while (m->section != FMB_MPS_ENDATA) {
         if (!fmb_mps_next_card(m->c, &card))
             return fmb_io_fail(m->c, m->c->end, "expected ENDATA, found end of file");
-        st = fmb_mps_is_title(&card, &m->section) ? begin_section(m, &card) : read_data(m, &card);
+        FMB_TRY(fmb_mps_is_title(&card, &m->section) ? begin_section(m, &card)
+                                                     : read_data(m, &card));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_read_mps(fmb_cursor *c, fmb_system *s)

@@ -40,20 +40,20 @@ static fmb_status sort_by_columns(fmb_export *e, mps_columns *m)
                            fmb_mem_zero(&e->mem, (size_t)fmb_system_dim(e->s), sizeof *m->first)};
     if (!m->first)
         return fmb_mem_status(&e->mem);
-    fmb_status st = fmb_rationals_new(&m->scale, fmb_system_rows(e->s), &e->mem);
-    for (size_t i = fmb_system_rows(e->s); st == FMB_OK && i-- > 0;) {
+    FMB_TRY(fmb_rationals_new(&m->scale, fmb_system_rows(e->s), &e->mem));
+    for (size_t i = fmb_system_rows(e->s); i-- > 0;) {
         size_t n = fmb_system_terms(e->s, i);
         fmb_export_scale(e, i);
         mpq_set(m->scale[i], e->scale);
-        st = fmb_mem_reserve(&e->mem, (void **)&m->entry, &m->capacity, m->entries + n,
-                             sizeof *m->entry);
-        for (size_t k = 0; st == FMB_OK && k < n; k++) {
+        FMB_TRY(fmb_mem_reserve(&e->mem, (void **)&m->entry, &m->capacity, m->entries + n,
+                                sizeof *m->entry));
+        for (size_t k = 0; k < n; k++) {
             size_t *first = &m->first[fmb_system_term_q(e->s, i, k, q)];
             m->entry[m->entries] = (mps_entry){i, k, *first};
             *first = ++m->entries;
         }
     }
-    return st;
+    return FMB_OK;
 }
 
 static void write_entry(fmb_export *e, const char *set, size_t row)

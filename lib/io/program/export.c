@@ -99,8 +99,7 @@ static fmb_status add_spelling(fmb_export *e, fmb_names *names, const char *name
 static fmb_status spell_columns(fmb_export *e, fmb_spells_fn *spells)
 {
     const fmb_system *s = e->s;
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(s); j++) {
+    for (int j = 0; j < fmb_system_dim(s); j++) {
         const char *name = fmb_system_name(s, j);
         char made[64];
         int n = 0;
@@ -110,20 +109,19 @@ static fmb_status spell_columns(fmb_export *e, fmb_spells_fn *spells)
                 made[n++] = '_';
             name = made;
         }
-        st = fmb_names_find(&e->column, name) < 0
-                 ? fmb_names_add(&e->column, name, &e->mem)
-                 : add_spelling(e, &e->column, NULL, 'x', (size_t)j + 1, spells);
+        FMB_TRY(fmb_names_find(&e->column, name) < 0
+                    ? fmb_names_add(&e->column, name, &e->mem)
+                    : add_spelling(e, &e->column, NULL, 'x', (size_t)j + 1, spells));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status spell_rows(fmb_export *e, fmb_spells_fn *spells)
 {
-    fmb_status st = FMB_OK;
     size_t m = fmb_system_rows(e->s);
-    for (size_t i = 0; st == FMB_OK && i < m; i++)
-        st = add_spelling(e, &e->row, fmb_system_label(e->s, i), 'r', i + 1, spells);
-    return st == FMB_OK ? add_spelling(e, &e->row, "obj", 'r', m + 1, spells) : st;
+    for (size_t i = 0; i < m; i++)
+        FMB_TRY(add_spelling(e, &e->row, fmb_system_label(e->s, i), 'r', i + 1, spells));
+    return add_spelling(e, &e->row, "obj", 'r', m + 1, spells);
 }
 
 /* ---- what cannot be written ------------------------------------------------------------------ */
@@ -149,8 +147,8 @@ fmb_status fmb_export_open(fmb_export *e, const fmb_system *s, fmb_spells_fn *sp
     for (size_t i = 0; i < fmb_system_rows(s); i++)
         if (fmb_system_rel(s, i) == FMB_LT)
             return FMB_ERR_ARG;
-    fmb_status st = spell_columns(e, spells);
-    return st == FMB_OK ? spell_rows(e, spells) : st;
+    FMB_TRY(spell_columns(e, spells));
+    return spell_rows(e, spells);
 }
 
 void fmb_export_close(fmb_export *e)

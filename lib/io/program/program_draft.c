@@ -23,12 +23,11 @@ void fmb_program_close(fmb_program_draft *p)
 
 fmb_status fmb_program_variable(fmb_program_draft *p, fmb_span name, int *j)
 {
-    fmb_status st =
-        fmb_mem_reserve(p->c->mem, (void **)&p->end, &p->capacity, p->ends + 1, sizeof *p->end);
-    if (st == FMB_OK)
-        st = fmb_span_variable(p->c, name, p->s, j);
-    if (st != FMB_OK || *j < (int)p->ends)
-        return st;
+    FMB_TRY(
+        fmb_mem_reserve(p->c->mem, (void **)&p->end, &p->capacity, p->ends + 1, sizeof *p->end));
+    FMB_TRY(fmb_span_variable(p->c, name, p->s, j));
+    if (*j < (int)p->ends)
+        return FMB_OK;
     fmb_program_end *end = p->end[p->ends++];
     end[FMB_PROGRAM_LOW] = (fmb_program_end){.finite = true};
     end[FMB_PROGRAM_HIGH] = (fmb_program_end){.finite = false};
@@ -38,9 +37,7 @@ fmb_status fmb_program_variable(fmb_program_draft *p, fmb_span name, int *j)
 
 fmb_status fmb_program_row(fmb_program_draft *p, fmb_span name, bool new, size_t *i)
 {
-    fmb_status st = fmb_mem_reserve(p->c->mem, (void **)&p->name, &p->name_capacity, name.n + 1, 1);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(p->c->mem, (void **)&p->name, &p->name_capacity, name.n + 1, 1));
     memcpy(p->name, name.p, name.n);
     p->name[name.n] = '\0';
     int known = fmb_names_find(&p->rows, p->name);
@@ -76,22 +73,19 @@ static fmb_status append_program_end(fmb_program_draft *p, const char *at, fmb_d
                                      fmb_rel rel, mpq_srcptr value, fmb_span label)
 {
     mpq_set(terms->rhs, value);
-    fmb_status st = fmb_draft_append(p->c, at, terms, rel, p->s);
-    if (st == FMB_OK && label.n > 0)
-        st = fmb_span_label(p->c, label, p->s, fmb_system_rows(p->s) - 1);
-    return st;
+    FMB_TRY(fmb_draft_append(p->c, at, terms, rel, p->s));
+    return label.n > 0 ? fmb_span_label(p->c, label, p->s, fmb_system_rows(p->s) - 1) : FMB_OK;
 }
 
 fmb_status fmb_program_append(fmb_program_draft *p, const char *at, fmb_draft *terms,
                               mpq_srcptr low, mpq_srcptr high, fmb_span label)
 {
     bool equal = low && high && mpq_equal(low, high);
-    fmb_status st = FMB_OK;
     if (low && !equal)
-        st = append_program_end(p, at, terms, FMB_GE, low, label);
-    if (st == FMB_OK && high)
-        st = append_program_end(p, at, terms, equal ? FMB_EQ : FMB_LE, high, label);
-    return st;
+        FMB_TRY(append_program_end(p, at, terms, FMB_GE, low, label));
+    if (high)
+        FMB_TRY(append_program_end(p, at, terms, equal ? FMB_EQ : FMB_LE, high, label));
+    return FMB_OK;
 }
 
 fmb_status fmb_program_finish(fmb_program_draft *p)

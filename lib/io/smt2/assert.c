@@ -8,11 +8,10 @@
 
 static fmb_status push_assertion_task(fmb_forms *f, size_t *n, uint32_t literal, fmb_span label)
 {
-    fmb_status st = fmb_mem_reserve(f->lin->c->mem, (void **)&f->task, &f->task_capacity, *n + 1,
-                                    sizeof *f->task);
-    if (st == FMB_OK)
-        f->task[(*n)++] = (fmb_form_task){literal, label};
-    return st;
+    FMB_TRY(fmb_mem_reserve(f->lin->c->mem, (void **)&f->task, &f->task_capacity, *n + 1,
+                            sizeof *f->task));
+    f->task[(*n)++] = (fmb_form_task){literal, label};
+    return FMB_OK;
 }
 
 /* A term of a row takes the memory of about so many digits. Sharing can make a short text many long
@@ -50,10 +49,8 @@ static fmb_status learn_fact(fmb_forms *f, const fmb_form_task *k, fmb_system *s
     if (*known != FMB_SMT_OPEN_TRUTH)
         return *known == said ? FMB_OK : append_false_row(f, v->at, k->label, s);
     fmb_smt_facts *facts = f->facts;
-    fmb_status st = fmb_mem_reserve(f->lin->c->mem, (void **)&facts->told, &facts->told_capacity,
-                                    facts->tolds + 1, sizeof *facts->told);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(f->lin->c->mem, (void **)&facts->told, &facts->told_capacity,
+                            facts->tolds + 1, sizeof *facts->told));
     facts->told[facts->tolds++] = v->unknown;
     *known = said;
     facts->learned = true;
@@ -82,13 +79,12 @@ static fmb_status append_atom_row(fmb_forms *f, const fmb_form_task *k, fmb_syst
 /* All parts shall hold; of a conjunction known to fail, the part that does. */
 static fmb_status push_all_parts(fmb_forms *f, const fmb_form_node *v, fmb_span label, size_t *n)
 {
-    fmb_status st = FMB_OK;
-    for (uint32_t k = v->n; st == FMB_OK && k-- > 0;) {
+    for (uint32_t k = v->n; k-- > 0;) {
         uint32_t part = f->child[v->first + k];
         if (v->truth != FMB_SMT_IS_FALSE || fmb_form_truth(f, part) == FMB_SMT_IS_FALSE)
-            st = push_assertion_task(f, n, part, label);
+            FMB_TRY(push_assertion_task(f, n, part, label));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Some part shall not hold: a conjunction only if a single part is open. */
@@ -146,10 +142,10 @@ fmb_status fmb_form_assert(fmb_forms *f, uint32_t literal, fmb_system *s)
 {
     size_t n = 0;
     f->stamp++;
-    fmb_status st = push_assertion_task(f, &n, literal, (fmb_span){NULL, 0});
-    while (st == FMB_OK && n > 0) {
+    FMB_TRY(push_assertion_task(f, &n, literal, (fmb_span){NULL, 0}));
+    while (n > 0) {
         const fmb_form_task k = f->task[--n];
-        st = take_assertion_task(f, &k, &n, s);
+        FMB_TRY(take_assertion_task(f, &k, &n, s));
     }
-    return st;
+    return FMB_OK;
 }

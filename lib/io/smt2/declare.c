@@ -7,11 +7,8 @@ static fmb_status read_known_sort(fmb_smt *r, fmb_smt_sort *out)
 {
     fmb_smt_token t;
     size_t symbol;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the sort Real, Int or Bool", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, &symbol);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the sort Real, Int or Bool", &t));
+    FMB_TRY(fmb_smt_intern(&r->scope, t.text, &symbol));
     if (!r->scope.symbol[symbol].is_sort) {
         return fmb_io_expected(r->c, t.at, "the sort Real, Int or Bool");
     }
@@ -27,10 +24,8 @@ static fmb_status declare_boolean(fmb_smt *r, size_t number)
     fmb_smt_facts *facts = r->forms.facts;
     fmb_smt_symbol *symbol = &r->scope.symbol[number];
     if (facts->declared == facts->unknowns) {
-        fmb_status st = fmb_mem_reserve(r->c->mem, (void **)&facts->truth, &facts->capacity,
-                                        facts->unknowns + 1, sizeof *facts->truth);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&facts->truth, &facts->capacity,
+                                facts->unknowns + 1, sizeof *facts->truth));
         facts->truth[facts->unknowns++] = FMB_SMT_OPEN_TRUTH;
     }
     symbol->meaning = FMB_SMT_UNKNOWN;
@@ -42,28 +37,20 @@ static fmb_status declare_boolean(fmb_smt *r, size_t number)
 static fmb_status declare_unknown(fmb_smt *r, size_t symbol, const char *at)
 {
     fmb_smt_sort sort = FMB_SMT_REAL;
-    fmb_status st = read_known_sort(r, &sort);
-    if (st == FMB_OK)
-        st = fmb_smt_close_command(r);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_smt_give(&r->scope, symbol, false);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_known_sort(r, &sort));
+    FMB_TRY(fmb_smt_close_command(r));
+    FMB_TRY(fmb_smt_give(&r->scope, symbol, false));
     if (sort == FMB_SMT_BOOL)
         return declare_boolean(r, symbol);
     fmb_smt_value v = {.at = at};
     int var;
-    st = fmb_span_variable(r->c, r->scope.symbol[symbol].text, r->s, &var);
-    if (st == FMB_OK && sort == FMB_SMT_INT)
-        st = fmb_system_set_integer(r->s, var, true);
-    if (st == FMB_OK)
-        st = fmb_lin_variable(&r->lin, var, &v.id);
-    if (st == FMB_OK) {
-        r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
-        r->scope.symbol[symbol].value = v;
-    }
-    return st;
+    FMB_TRY(fmb_span_variable(r->c, r->scope.symbol[symbol].text, r->s, &var));
+    if (sort == FMB_SMT_INT)
+        FMB_TRY(fmb_system_set_integer(r->s, var, true));
+    FMB_TRY(fmb_lin_variable(&r->lin, var, &v.id));
+    r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
+    r->scope.symbol[symbol].value = v;
+    return FMB_OK;
 }
 
 fmb_status fmb_smt_declare_const(fmb_smt *r, const char *open)
@@ -71,8 +58,8 @@ fmb_status fmb_smt_declare_const(fmb_smt *r, const char *open)
     size_t symbol;
     const char *at;
     (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    return st == FMB_OK ? declare_unknown(r, symbol, at) : st;
+    FMB_TRY(fmb_smt_new_name(r, &symbol, &at));
+    return declare_unknown(r, symbol, at);
 }
 
 fmb_status fmb_smt_declare_fun(fmb_smt *r, const char *open)
@@ -81,13 +68,11 @@ fmb_status fmb_smt_declare_fun(fmb_smt *r, const char *open)
     const char *at;
     fmb_smt_token t;
     (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': unknown functions are not linear arithmetic",
-                            &t);
-    return st == FMB_OK ? declare_unknown(r, symbol, at) : st;
+    FMB_TRY(fmb_smt_new_name(r, &symbol, &at));
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t));
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': unknown functions are not linear arithmetic",
+                           &t));
+    return declare_unknown(r, symbol, at);
 }
 
 fmb_status fmb_smt_define_sort(fmb_smt *r, const char *open)
@@ -96,21 +81,14 @@ fmb_status fmb_smt_define_sort(fmb_smt *r, const char *open)
     size_t symbol;
     fmb_smt_sort sort = FMB_SMT_REAL;
     (void)open;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a sort", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, &symbol);
-    if (st == FMB_OK && r->scope.symbol[symbol].is_sort)
-        st = fmb_io_fail(r->c, t.at, "expected a new name for a sort");
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': sorts with parameters cannot be read", &t);
-    if (st == FMB_OK)
-        st = read_known_sort(r, &sort);
-    if (st == FMB_OK)
-        st = fmb_smt_give(&r->scope, symbol, true);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a sort", &t));
+    FMB_TRY(fmb_smt_intern(&r->scope, t.text, &symbol));
+    if (r->scope.symbol[symbol].is_sort)
+        return fmb_io_fail(r->c, t.at, "expected a new name for a sort");
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t));
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': sorts with parameters cannot be read", &t));
+    FMB_TRY(read_known_sort(r, &sort));
+    FMB_TRY(fmb_smt_give(&r->scope, symbol, true));
     r->scope.symbol[symbol].is_sort = true;
     r->scope.symbol[symbol].sort = sort;
     return fmb_smt_close_command(r);
@@ -124,13 +102,12 @@ static fmb_status read_parameter_name(fmb_smt *r, size_t *symbol)
 {
     fmb_smt_token t;
     char buf[FMB_QUOTE];
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a parameter", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, symbol);
-    if (st == FMB_OK && fmb_smt_find_local(&r->scope, *symbol))
-        st = fmb_io_fail(r->c, t.at, "expected different names of parameters, found %s again",
-                         fmb_quote(r->c, t.at, buf));
-    return st == FMB_OK ? fmb_smt_bind(&r->scope, *symbol, (fmb_smt_value){.at = t.at}) : st;
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a parameter", &t));
+    FMB_TRY(fmb_smt_intern(&r->scope, t.text, symbol));
+    if (fmb_smt_find_local(&r->scope, *symbol))
+        return fmb_io_fail(r->c, t.at, "expected different names of parameters, found %s again",
+                           fmb_quote(r->c, t.at, buf));
+    return fmb_smt_bind(&r->scope, *symbol, (fmb_smt_value){.at = t.at});
 }
 
 /* (x Real) (y Bool) ... up to ')'; *n of them. */
@@ -140,23 +117,18 @@ static fmb_status read_parameters(fmb_smt *r, size_t *n)
         fmb_smt_token t;
         fmb_smt_param p;
         fmb_smt_sort sort = FMB_SMT_BOOL;
-        fmb_status st = fmb_smt_next(r->c, &t);
-        if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
+        FMB_TRY(fmb_smt_next(r->c, &t));
+        if (t.kind == FMB_SMT_CLOSE)
             fmb_smt_unbind(&r->scope, r->scope.locals - *n);
-        if (st != FMB_OK || t.kind == FMB_SMT_CLOSE)
-            return st;
+        if (t.kind == FMB_SMT_CLOSE)
+            return FMB_OK;
         if (t.kind != FMB_SMT_OPEN)
             return fmb_io_fail(r->c, t.at, "expected '(' of a parameter, or ')' after the last");
-        st = read_parameter_name(r, &p.symbol);
-        if (st == FMB_OK)
-            st = read_known_sort(r, &sort);
-        if (st == FMB_OK)
-            st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')' after the parameter", &t);
-        if (st == FMB_OK)
-            st = fmb_mem_reserve(r->c->mem, (void **)&r->param, &r->param_capacity, r->params + 1,
-                                 sizeof *r->param);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(read_parameter_name(r, &p.symbol));
+        FMB_TRY(read_known_sort(r, &sort));
+        FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')' after the parameter", &t));
+        FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->param, &r->param_capacity, r->params + 1,
+                                sizeof *r->param));
         p.formula = sort == FMB_SMT_BOOL;
         r->param[r->params++] = p;
     }
@@ -184,13 +156,9 @@ static fmb_status define_macro_body(fmb_smt *r, size_t symbol, size_t n, bool fo
 static fmb_status define_named_value(fmb_smt *r, size_t symbol, bool formula)
 {
     fmb_smt_value v;
-    fmb_status st = fmb_smt_term(r, &v);
-    if (st == FMB_OK)
-        st = fmb_smt_check_kind(r, &v, formula);
-    if (st == FMB_OK)
-        st = fmb_smt_give(&r->scope, symbol, false);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_term(r, &v));
+    FMB_TRY(fmb_smt_check_kind(r, &v, formula));
+    FMB_TRY(fmb_smt_give(&r->scope, symbol, false));
     r->named = true;
     r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
     r->scope.symbol[symbol].value = v;
@@ -203,10 +171,9 @@ fmb_status fmb_smt_define_const(fmb_smt *r, const char *open)
     const char *at;
     fmb_smt_sort sort = FMB_SMT_REAL;
     (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    if (st == FMB_OK)
-        st = read_known_sort(r, &sort);
-    return st == FMB_OK ? define_named_value(r, symbol, sort == FMB_SMT_BOOL) : st;
+    FMB_TRY(fmb_smt_new_name(r, &symbol, &at));
+    FMB_TRY(read_known_sort(r, &sort));
+    return define_named_value(r, symbol, sort == FMB_SMT_BOOL);
 }
 
 fmb_status fmb_smt_define_fun(fmb_smt *r, const char *open)
@@ -216,15 +183,10 @@ fmb_status fmb_smt_define_fun(fmb_smt *r, const char *open)
     fmb_smt_token t;
     fmb_smt_sort sort = FMB_SMT_REAL;
     (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' before the parameters", &t);
-    if (st == FMB_OK)
-        st = read_parameters(r, &n);
-    if (st == FMB_OK)
-        st = read_known_sort(r, &sort);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_new_name(r, &symbol, &at));
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' before the parameters", &t));
+    FMB_TRY(read_parameters(r, &n));
+    FMB_TRY(read_known_sort(r, &sort));
     return n == 0 ? define_named_value(r, symbol, sort == FMB_SMT_BOOL)
                   : define_macro_body(r, symbol, n, sort == FMB_SMT_BOOL);
 }

@@ -18,10 +18,8 @@ static fmb_status mark_as_reached(fmb_lin *l, uint32_t node, size_t *n)
 {
     if (l->node[node].stamp == l->stamp)
         return FMB_OK;
-    fmb_status st = fmb_mem_reserve(l->c->mem, (void **)&l->reached, &l->reached_capacity, *n + 1,
-                                    sizeof *l->reached);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(l->c->mem, (void **)&l->reached, &l->reached_capacity, *n + 1,
+                            sizeof *l->reached));
     l->node[node].stamp = l->stamp;
     l->reached[(*n)++] = node;
     return FMB_OK;
@@ -42,16 +40,13 @@ static fmb_status collect_reached_nodes(fmb_lin *l, uint32_t node, size_t *n)
 {
     *n = 0;
     l->stamp++;
-    fmb_status st = mark_as_reached(l, node, n);
-    for (size_t i = 0; st == FMB_OK && i < *n; i++) {
+    FMB_TRY(mark_as_reached(l, node, n));
+    for (size_t i = 0; i < *n; i++) {
         const fmb_lin_node v = l->node[l->reached[i]];
-        for (uint32_t k = 0; st == FMB_OK && k < v.n; k++)
-            st = mark_as_reached(l, l->term[v.first + k].leaf, n);
+        for (uint32_t k = 0; k < v.n; k++)
+            FMB_TRY(mark_as_reached(l, l->term[v.first + k].leaf, n));
     }
-    if (st == FMB_OK)
-        st = reserve_factors(l, *n);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(reserve_factors(l, *n));
     qsort(l->reached, *n, sizeof *l->reached, compare_latest_first);
     for (size_t i = 0; i < *n; i++) {
         l->node[l->reached[i]].place = (uint32_t)i;
@@ -87,21 +82,19 @@ static fmb_status hand_factor_to_leaves(fmb_lin *l, const char *at, size_t i,
 fmb_status fmb_lin_expand(fmb_lin *l, const char *at, uint32_t node, fmb_draft *d)
 {
     size_t n;
-    fmb_status st = collect_reached_nodes(l, node, &n);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(collect_reached_nodes(l, node, &n));
     fmb_draft_reset(d);
     mpq_set_ui(l->factor[0], 1, 1);
-    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         const fmb_lin_node *v = &l->node[l->reached[i]];
         if (mpq_sgn(l->factor[i]) == 0)
             continue;
         if (v->var < 0)
-            st = hand_factor_to_leaves(l, at, i, d->rhs);
+            FMB_TRY(hand_factor_to_leaves(l, at, i, d->rhs));
         else
-            st = fmb_draft_add(d, v->var, l->factor[i]);
+            FMB_TRY(fmb_draft_add(d, v->var, l->factor[i]));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* All leaves are variables: then nothing can cancel any more. */

@@ -6,10 +6,8 @@ static fmb_status new_formula_node(fmb_forms *f, const fmb_form_node *v, uint32_
     fmb_mem *mem = f->lin->c->mem;
     if (f->nodes > UINT32_MAX / 2)
         return FMB_ERR_MEMORY;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&f->node, &f->node_capacity, f->nodes + 1, sizeof *f->node);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(
+        fmb_mem_reserve(mem, (void **)&f->node, &f->node_capacity, f->nodes + 1, sizeof *f->node));
     f->node[f->nodes] = *v;
     *out = (uint32_t)(2 * f->nodes++);
     return FMB_OK;

@@ -115,9 +115,9 @@ fmb_status fmb_smt_next(fmb_cursor *c, fmb_smt_token *t)
 
 fmb_status fmb_smt_expect(fmb_cursor *c, fmb_smt_kind kind, const char *what, fmb_smt_token *t)
 {
-    fmb_status st = fmb_smt_next(c, t);
-    if (st != FMB_OK || t->kind == kind)
-        return st;
+    FMB_TRY(fmb_smt_next(c, t));
+    if (t->kind == kind)
+        return FMB_OK;
     return fmb_io_expected(c, t->at, "%s", what);
 }
 
@@ -125,9 +125,7 @@ fmb_status fmb_smt_leave(fmb_cursor *c, const char *open)
 {
     for (size_t depth = 1; depth > 0;) {
         fmb_smt_token t;
-        fmb_status st = fmb_smt_next(c, &t);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_smt_next(c, &t));
         if (t.kind == FMB_SMT_END)
             return fmb_io_fail(c, open, "expected ')' to match this '(', found end of file");
         depth += t.kind == FMB_SMT_OPEN;
@@ -139,9 +137,7 @@ fmb_status fmb_smt_leave(fmb_cursor *c, const char *open)
 fmb_status fmb_smt_skip(fmb_cursor *c, const char *what)
 {
     fmb_smt_token t;
-    fmb_status st = fmb_smt_next(c, &t);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_next(c, &t));
     if (t.kind == FMB_SMT_OPEN)
         return fmb_smt_leave(c, t.at);
     if (t.kind == FMB_SMT_CLOSE || t.kind == FMB_SMT_END) {

@@ -44,10 +44,8 @@ static fmb_status new_linear_node(fmb_lin *l, int var, uint32_t *out)
 {
     if (l->nodes >= UINT32_MAX)
         return FMB_ERR_MEMORY;
-    fmb_status st = fmb_mem_reserve(l->c->mem, (void **)&l->node, &l->node_capacity, l->nodes + 1,
-                                    sizeof *l->node);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(l->c->mem, (void **)&l->node, &l->node_capacity, l->nodes + 1,
+                            sizeof *l->node));
     fmb_lin_node *v = &l->node[l->nodes];
     *v = (fmb_lin_node){.var = var, .first = l->terms};
     mpq_init(v->constant);
@@ -62,10 +60,9 @@ fmb_status fmb_lin_variable(fmb_lin *l, int var, uint32_t *out)
 
 fmb_status fmb_lin_number(fmb_lin *l, mpq_t value, uint32_t *out)
 {
-    fmb_status st = new_linear_node(l, -1, out);
-    if (st == FMB_OK)
-        mpq_swap(l->node[*out].constant, value);
-    return st;
+    FMB_TRY(new_linear_node(l, -1, out));
+    mpq_swap(l->node[*out].constant, value);
+    return FMB_OK;
 }
 
 /* ---- sums ------------------------------------------------------------------------------------ */
@@ -145,23 +142,19 @@ fmb_status fmb_lin_add(fmb_lin *l, const char *at, uint32_t node, mpq_srcptr fac
     if (mpq_sgn(factor) == 0)
         return FMB_OK;
     if (v->var >= 0 || v->n > FMB_LIN_SHORT) {
-        fmb_status st = open_sum_term(l, at, node, &slot);
-        if (st == FMB_OK)
-            mpq_set(slot, factor);
-        return st;
+        FMB_TRY(open_sum_term(l, at, node, &slot));
+        mpq_set(slot, factor);
+        return FMB_OK;
     }
-    fmb_status st = multiply_charged(l, at, l->product, v->constant, factor);
-    if (st == FMB_OK) {
-        mpq_add(l->sum.constant, l->sum.constant, l->product);
-        st = fmb_io_charge(l->c, at, fmb_io_digits(l->sum.constant));
-    }
-    for (uint32_t k = 0; st == FMB_OK && k < v->n; k++) {
+    FMB_TRY(multiply_charged(l, at, l->product, v->constant, factor));
+    mpq_add(l->sum.constant, l->sum.constant, l->product);
+    FMB_TRY(fmb_io_charge(l->c, at, fmb_io_digits(l->sum.constant)));
+    for (uint32_t k = 0; k < v->n; k++) {
         fmb_lin_term *t = &l->term[v->first + k];
-        st = open_sum_term(l, at, t->leaf, &slot);
-        if (st == FMB_OK)
-            st = multiply_charged(l, at, slot, t->coef, factor);
+        FMB_TRY(open_sum_term(l, at, t->leaf, &slot));
+        FMB_TRY(multiply_charged(l, at, slot, t->coef, factor));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The sum is one node as it stands. */
@@ -173,19 +166,14 @@ static bool is_single_node(const fmb_lin_sum *s)
 fmb_status fmb_lin_end(fmb_lin *l, uint32_t *out)
 {
     fmb_lin_sum *s = &l->sum;
-    fmb_status st = merge_equal_leaves(l, l->c->at);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(merge_equal_leaves(l, l->c->at));
     if (is_single_node(s)) {
         *out = s->term[0].leaf;
         return FMB_OK;
     }
-    st = fmb_mem_reserve(l->c->mem, (void **)&l->term, &l->term_capacity, l->terms + s->n,
-                         sizeof *l->term);
-    if (st == FMB_OK)
-        st = new_linear_node(l, -1, out);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(l->c->mem, (void **)&l->term, &l->term_capacity, l->terms + s->n,
+                            sizeof *l->term));
+    FMB_TRY(new_linear_node(l, -1, out));
     fmb_lin_node *v = &l->node[*out];
     mpq_swap(v->constant, s->constant);
     for (size_t k = 0; k < s->n; k++) {

@@ -13,22 +13,21 @@ static fmb_status reserve_literals(fmb_smt *r, size_t n)
 static fmb_status apply_sum_or_difference(fmb_smt *r, const fmb_smt_operator *op, const char *at,
                                           const fmb_smt_value *arg, size_t n, fmb_smt_value *out)
 {
-    fmb_status st = FMB_OK;
     fmb_lin_begin(&r->lin);
-    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         bool minus = op->swap && (i > 0 || n == 1);
         mpq_set_si(r->number, minus ? -1 : 1, 1);
-        st = fmb_lin_add(&r->lin, at, arg[i].id, r->number);
+        FMB_TRY(fmb_lin_add(&r->lin, at, arg[i].id, r->number));
     }
-    return st == FMB_OK ? fmb_lin_end(&r->lin, &out->id) : st;
+    return fmb_lin_end(&r->lin, &out->id);
 }
 
 static fmb_status scale_linear_node(fmb_smt *r, const char *at, uint32_t node, mpq_srcptr by,
                                     uint32_t *out)
 {
     fmb_lin_begin(&r->lin);
-    fmb_status st = fmb_lin_add(&r->lin, at, node, by);
-    return st == FMB_OK ? fmb_lin_end(&r->lin, out) : st;
+    FMB_TRY(fmb_lin_add(&r->lin, at, node, by));
+    return fmb_lin_end(&r->lin, out);
 }
 
 /* *node and arg multiplied, one of them being a number. */
@@ -36,51 +35,44 @@ static fmb_status multiply_by_number(fmb_smt *r, const char *at, const fmb_smt_v
                                      uint32_t *node)
 {
     bool number;
-    fmb_status st = fmb_lin_constant(&r->lin, arg->at, arg->id, &number, r->number);
-    if (st == FMB_OK && number)
+    FMB_TRY(fmb_lin_constant(&r->lin, arg->at, arg->id, &number, r->number));
+    if (number)
         return scale_linear_node(r, at, *node, r->number, node);
-    if (st == FMB_OK)
-        st = fmb_lin_constant(&r->lin, at, *node, &number, r->number);
-    if (st == FMB_OK && number)
+    FMB_TRY(fmb_lin_constant(&r->lin, at, *node, &number, r->number));
+    if (number)
         return scale_linear_node(r, at, arg->id, r->number, node);
-    if (st == FMB_OK)
-        st = fmb_io_fail(r->c, at,
-                         "not linear: expected a product with at most one factor that "
-                         "is not a number");
-    return st;
+    return fmb_io_fail(r->c, at,
+                       "not linear: expected a product with at most one factor that "
+                       "is not a number");
 }
 
 static fmb_status apply_product(fmb_smt *r, const fmb_smt_operator *op, const char *at,
                                 const fmb_smt_value *arg, size_t n, fmb_smt_value *out)
 {
     (void)op;
-    fmb_status st = FMB_OK;
     out->id = arg[0].id;
-    for (size_t i = 1; st == FMB_OK && i < n; i++)
-        st = multiply_by_number(r, at, &arg[i], &out->id);
-    return st;
+    for (size_t i = 1; i < n; i++)
+        FMB_TRY(multiply_by_number(r, at, &arg[i], &out->id));
+    return FMB_OK;
 }
 
 static fmb_status apply_quotient(fmb_smt *r, const fmb_smt_operator *op, const char *at,
                                  const fmb_smt_value *arg, size_t n, fmb_smt_value *out)
 {
     (void)op;
-    fmb_status st = FMB_OK;
     out->id = arg[0].id;
-    for (size_t i = 1; st == FMB_OK && i < n; i++) {
+    for (size_t i = 1; i < n; i++) {
         bool number;
-        st = fmb_lin_constant(&r->lin, arg[i].at, arg[i].id, &number, r->number);
-        if (st == FMB_OK && !number)
-            st = fmb_io_fail(r->c, arg[i].at, "not linear: expected a number as divisor");
-        else if (st == FMB_OK && mpq_sgn(r->number) == 0)
-            st = fmb_io_fail(r->c, arg[i].at,
-                             "expected a divisor other than zero: SMT-LIB gives x/0 no value");
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_lin_constant(&r->lin, arg[i].at, arg[i].id, &number, r->number));
+        if (!number)
+            return fmb_io_fail(r->c, arg[i].at, "not linear: expected a number as divisor");
+        if (mpq_sgn(r->number) == 0)
+            return fmb_io_fail(r->c, arg[i].at,
+                               "expected a divisor other than zero: SMT-LIB gives x/0 no value");
         mpq_inv(r->number, r->number);
-        st = scale_linear_node(r, at, out->id, r->number, &out->id);
+        FMB_TRY(scale_linear_node(r, at, out->id, r->number, &out->id));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status apply_identity(fmb_smt *r, const fmb_smt_operator *op, const char *at,
@@ -119,16 +111,17 @@ static fmb_status compare_two_terms(fmb_smt *r, const char *at, uint32_t a, uint
 static fmb_status apply_comparison_chain(fmb_smt *r, const fmb_smt_operator *op, const char *at,
                                          const fmb_smt_value *arg, size_t n, fmb_smt_value *out)
 {
-    fmb_status st = reserve_literals(r, n - 1);
-    for (size_t i = 0; st == FMB_OK && i + 1 < n; i++) {
+    FMB_TRY(reserve_literals(r, n - 1));
+    for (size_t i = 0; i + 1 < n; i++) {
         uint32_t a = arg[i].id, b = arg[i + 1].id;
-        st = compare_two_terms(r, at, op->swap ? b : a, op->swap ? a : b, op->rel, &r->literal[i]);
+        FMB_TRY(
+            compare_two_terms(r, at, op->swap ? b : a, op->swap ? a : b, op->rel, &r->literal[i]));
     }
-    if (st == FMB_OK && n == 2)
+    if (n == 2)
         out->id = r->literal[0];
-    else if (st == FMB_OK)
-        st = fmb_form_and(&r->forms, at, op->name, n - 1, r->literal, &out->id);
-    return st;
+    else
+        FMB_TRY(fmb_form_and(&r->forms, at, op->name, n - 1, r->literal, &out->id));
+    return FMB_OK;
 }
 
 /* ---- formulas -------------------------------------------------------------------------------- */
@@ -138,10 +131,10 @@ static fmb_status connect_formulas(fmb_smt *r, const fmb_smt_operator *op, const
                                    const fmb_smt_value *arg, size_t n, size_t plain,
                                    fmb_smt_value *out)
 {
-    fmb_status st = reserve_literals(r, n);
-    for (size_t i = 0; st == FMB_OK && i < n; i++)
+    FMB_TRY(reserve_literals(r, n));
+    for (size_t i = 0; i < n; i++)
         r->literal[i] = arg[i].id ^ (i >= plain);
-    return st == FMB_OK ? fmb_form_and(&r->forms, at, op->name, n, r->literal, &out->id) : st;
+    return fmb_form_and(&r->forms, at, op->name, n, r->literal, &out->id);
 }
 
 static fmb_status apply_conjunction(fmb_smt *r, const fmb_smt_operator *op, const char *at,
@@ -313,9 +306,7 @@ fmb_status fmb_smt_operate(fmb_smt *r, const fmb_smt_operator *op, const char *a
         return fmb_io_fail(r->c, at, "expected %s%zu argument%s of '%s', found %zu",
                            op->least == op->most ? "" : "at least ", op->least,
                            op->least == 1 ? "" : "s", op->name, n);
-    fmb_status st = check_argument_kinds(r, op, arg, n);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(check_argument_kinds(r, op, arg, n));
     bool compares = op->rel != FMB_LE || op->apply == apply_comparison_chain;
     *out = (fmb_smt_value){.formula = compares || op->takes == FMB_SMT_FORMULAS, .at = at};
     return op->apply(r, op, at, arg, n, out);

@@ -57,15 +57,11 @@ static fmb_status reserve_symbol_slots(fmb_smt_scope *s)
 
 fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out)
 {
-    fmb_status st = reserve_symbol_slots(s);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(reserve_symbol_slots(s));
     size_t i = find_symbol_slot(s, text);
     if (s->slot[i] == 0) {
-        st = fmb_mem_reserve(s->mem, (void **)&s->symbol, &s->symbol_capacity, s->symbols + 1,
-                             sizeof *s->symbol);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_mem_reserve(s->mem, (void **)&s->symbol, &s->symbol_capacity, s->symbols + 1,
+                                sizeof *s->symbol));
         s->symbol[s->symbols] = (fmb_smt_symbol){.text = text, .newest = FMB_SMT_NONE};
         s->slot[i] = ++s->symbols;
     }
@@ -75,11 +71,10 @@ fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out)
 
 fmb_status fmb_smt_give(fmb_smt_scope *s, size_t symbol, bool sort)
 {
-    fmb_status st = fmb_mem_reserve(s->mem, (void **)&s->given, &s->given_capacity, s->givens + 1,
-                                    sizeof *s->given);
-    if (st == FMB_OK)
-        s->given[s->givens++] = (fmb_smt_given){symbol, sort};
-    return st;
+    FMB_TRY(fmb_mem_reserve(s->mem, (void **)&s->given, &s->given_capacity, s->givens + 1,
+                            sizeof *s->given));
+    s->given[s->givens++] = (fmb_smt_given){symbol, sort};
+    return FMB_OK;
 }
 
 void fmb_smt_take_back(fmb_smt_scope *s, size_t givens)
@@ -95,10 +90,8 @@ void fmb_smt_take_back(fmb_smt_scope *s, size_t givens)
 
 fmb_status fmb_smt_bind(fmb_smt_scope *s, size_t symbol, fmb_smt_value value)
 {
-    fmb_status st = fmb_mem_reserve(s->mem, (void **)&s->local, &s->local_capacity, s->locals + 1,
-                                    sizeof *s->local);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(s->mem, (void **)&s->local, &s->local_capacity, s->locals + 1,
+                            sizeof *s->local));
     s->local[s->locals] = (fmb_smt_local){symbol, s->symbol[symbol].newest, value};
     s->symbol[symbol].newest = s->locals++;
     return FMB_OK;

@@ -156,11 +156,8 @@ static fmb_status write_assertion(writer *w, size_t i)
 {
     const char *label = fmb_system_label(w->s, i);
     bool named = label && can_spell_symbol(label) && fmb_names_find(&w->taken, label) < 0;
-    if (named) {
-        fmb_status st = fmb_names_add(&w->taken, label, &w->mem);
-        if (st != FMB_OK)
-            return st;
-    }
+    if (named)
+        FMB_TRY(fmb_names_add(&w->taken, label, &w->mem));
     fputs(named ? "(assert (! " : "(assert ", w->out);
     write_constraint(w, i);
     if (named) {

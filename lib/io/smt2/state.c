@@ -7,32 +7,27 @@
 static fmb_status intern_known_name(fmb_smt *r, const char *name, fmb_smt_symbol **out)
 {
     size_t symbol;
-    fmb_status st = fmb_smt_intern(&r->scope, (fmb_span){name, strlen(name)}, &symbol);
-    if (st == FMB_OK)
-        *out = &r->scope.symbol[symbol];
-    return st;
+    FMB_TRY(fmb_smt_intern(&r->scope, (fmb_span){name, strlen(name)}, &symbol));
+    *out = &r->scope.symbol[symbol];
+    return FMB_OK;
 }
 
 static fmb_status intern_known_sort(fmb_smt *r, const char *name, fmb_smt_sort sort)
 {
     fmb_smt_symbol *s;
-    fmb_status st = intern_known_name(r, name, &s);
-    if (st == FMB_OK) {
-        s->is_sort = true;
-        s->sort = sort;
-    }
-    return st;
+    FMB_TRY(intern_known_name(r, name, &s));
+    s->is_sort = true;
+    s->sort = sort;
+    return FMB_OK;
 }
 
 static fmb_status intern_truth_value(fmb_smt *r, const char *name, uint32_t literal)
 {
     fmb_smt_symbol *s;
-    fmb_status st = intern_known_name(r, name, &s);
-    if (st == FMB_OK) {
-        s->meaning = FMB_SMT_VALUE;
-        s->value = (fmb_smt_value){.formula = true, .id = literal};
-    }
-    return st;
+    FMB_TRY(intern_known_name(r, name, &s));
+    s->meaning = FMB_SMT_VALUE;
+    s->value = (fmb_smt_value){.formula = true, .id = literal};
+    return FMB_OK;
 }
 
 fmb_status fmb_smt_init(fmb_smt *r, fmb_cursor *c, fmb_system *s, fmb_smt_facts *facts)
@@ -41,27 +36,20 @@ fmb_status fmb_smt_init(fmb_smt *r, fmb_cursor *c, fmb_system *s, fmb_smt_facts 
     mpq_init(r->number);
     fmb_lin_init(&r->lin, c);
     fmb_smt_scope_init(&r->scope, c->mem);
-    fmb_status st = fmb_forms_init(&r->forms, &r->lin, facts);
-    if (st == FMB_OK)
-        st = intern_known_sort(r, "Real", FMB_SMT_REAL);
-    if (st == FMB_OK)
-        st = intern_known_sort(r, "Int", FMB_SMT_INT);
-    if (st == FMB_OK)
-        st = intern_known_sort(r, "Bool", FMB_SMT_BOOL);
-    if (st == FMB_OK)
-        st = intern_truth_value(r, "true", FMB_SMT_TRUE);
-    if (st == FMB_OK)
-        st = intern_truth_value(r, "false", FMB_SMT_FALSE);
+    FMB_TRY(fmb_forms_init(&r->forms, &r->lin, facts));
+    FMB_TRY(intern_known_sort(r, "Real", FMB_SMT_REAL));
+    FMB_TRY(intern_known_sort(r, "Int", FMB_SMT_INT));
+    FMB_TRY(intern_known_sort(r, "Bool", FMB_SMT_BOOL));
+    FMB_TRY(intern_truth_value(r, "true", FMB_SMT_TRUE));
+    FMB_TRY(intern_truth_value(r, "false", FMB_SMT_FALSE));
     const fmb_smt_operator *op;
-    for (size_t i = 0; st == FMB_OK && (op = fmb_smt_operator_at(i)) != NULL; i++) {
+    for (size_t i = 0; (op = fmb_smt_operator_at(i)) != NULL; i++) {
         fmb_smt_symbol *known;
-        st = intern_known_name(r, op->name, &known);
-        if (st == FMB_OK) {
-            known->meaning = FMB_SMT_OPERATOR;
-            known->index = i;
-        }
+        FMB_TRY(intern_known_name(r, op->name, &known));
+        known->meaning = FMB_SMT_OPERATOR;
+        known->index = i;
     }
-    return st;
+    return FMB_OK;
 }
 
 void fmb_smt_clear(fmb_smt *r)
@@ -84,11 +72,8 @@ void fmb_smt_clear(fmb_smt *r)
 fmb_status fmb_smt_new_name(fmb_smt *r, size_t *symbol, const char **at)
 {
     fmb_smt_token t;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "a name", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, symbol);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "a name", &t));
+    FMB_TRY(fmb_smt_intern(&r->scope, t.text, symbol));
     *at = t.at;
     if (t.text.n == 0)
         return fmb_io_fail(r->c, t.at, "expected a name that is not empty");

@@ -7,24 +7,19 @@
 
 static fmb_status push_open_frame(fmb_smt *r, fmb_smt_frame_kind kind, const char *at)
 {
-    fmb_status st = fmb_mem_reserve(r->c->mem, (void **)&r->frame, &r->frame_capacity,
-                                    r->frames + 1, sizeof *r->frame);
-    if (st == FMB_OK)
-        r->frame[r->frames++] = (fmb_smt_frame){.kind = kind,
-                                                .at = at,
-                                                .values = r->values,
-                                                .locals = r->scope.locals,
-                                                .names = r->names};
-    return st;
+    FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->frame, &r->frame_capacity, r->frames + 1,
+                            sizeof *r->frame));
+    r->frame[r->frames++] = (fmb_smt_frame){
+        .kind = kind, .at = at, .values = r->values, .locals = r->scope.locals, .names = r->names};
+    return FMB_OK;
 }
 
 static fmb_status push_argument_value(fmb_smt *r, fmb_smt_value v)
 {
-    fmb_status st = fmb_mem_reserve(r->c->mem, (void **)&r->value, &r->value_capacity,
-                                    r->values + 1, sizeof *r->value);
-    if (st == FMB_OK)
-        r->value[r->values++] = v;
-    return st;
+    FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->value, &r->value_capacity, r->values + 1,
+                            sizeof *r->value));
+    r->value[r->values++] = v;
+    return FMB_OK;
 }
 
 static fmb_status expect_closing(fmb_smt *r, const char *what)
@@ -43,9 +38,7 @@ static fmb_status bind_let_names(fmb_smt *r, fmb_smt_frame *f)
         size_t newest = r->scope.symbol[symbol].newest;
         if (newest != FMB_SMT_NONE && newest >= f->locals)
             return fmb_io_fail(r->c, f->at, "expected different names in one let");
-        fmb_status st = fmb_smt_bind(&r->scope, symbol, r->value[f->values + k]);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_smt_bind(&r->scope, symbol, r->value[f->values + k]));
     }
     r->values = f->values;
     r->names = f->names;
@@ -57,23 +50,18 @@ static fmb_status bind_let_names(fmb_smt *r, fmb_smt_frame *f)
 static fmb_status read_next_binding(fmb_smt *r)
 {
     fmb_smt_token t;
-    fmb_status st = fmb_smt_next(r->c, &t);
-    if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
+    FMB_TRY(fmb_smt_next(r->c, &t));
+    if (t.kind == FMB_SMT_CLOSE)
         return bind_let_names(r, &r->frame[r->frames - 1]);
-    if (st == FMB_OK && t.kind != FMB_SMT_OPEN) {
+    if (t.kind != FMB_SMT_OPEN)
         return fmb_io_expected(r->c, t.at, "'(' of a binding, or ')' after the last");
-    }
     size_t symbol;
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a binding", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, &symbol);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(r->c->mem, (void **)&r->name, &r->name_capacity, r->names + 1,
-                             sizeof *r->name);
-    if (st == FMB_OK)
-        r->name[r->names++] = symbol;
-    return st;
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a binding", &t));
+    FMB_TRY(fmb_smt_intern(&r->scope, t.text, &symbol));
+    FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->name, &r->name_capacity, r->names + 1,
+                            sizeof *r->name));
+    r->name[r->names++] = symbol;
+    return FMB_OK;
 }
 
 /* ---- annotations ----------------------------------------------------------------------------- */
@@ -83,11 +71,8 @@ static fmb_status take_named_attribute(fmb_smt *r, fmb_smt_value *v)
 {
     size_t symbol;
     const char *at;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    if (st == FMB_OK)
-        st = fmb_smt_give(&r->scope, symbol, false);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_new_name(r, &symbol, &at));
+    FMB_TRY(fmb_smt_give(&r->scope, symbol, false));
     r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
     r->scope.symbol[symbol].value = *v;
     r->named = true;
@@ -234,33 +219,27 @@ static fmb_status fail_unknown_name(fmb_smt *r, const fmb_smt_token *t)
 static fmb_status open_application(fmb_smt *r, const char *at, const fmb_smt_token *t)
 {
     size_t symbol;
-    fmb_status st = fmb_smt_intern(&r->scope, t->text, &symbol);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_intern(&r->scope, t->text, &symbol));
     fmb_smt_meaning m = r->scope.symbol[symbol].meaning;
     if (fmb_smt_find_local(&r->scope, symbol) || m == FMB_SMT_VALUE || m == FMB_SMT_UNKNOWN)
         return fmb_io_fail(r->c, t->at, "expected an operator or a function with arguments");
     if (m == FMB_SMT_NOTHING)
         return fail_unknown_name(r, t);
-    st = push_open_frame(r, FMB_SMT_APPLY, at);
-    if (st == FMB_OK)
-        r->frame[r->frames - 1].symbol = symbol;
-    return st;
+    FMB_TRY(push_open_frame(r, FMB_SMT_APPLY, at));
+    r->frame[r->frames - 1].symbol = symbol;
+    return FMB_OK;
 }
 
 static fmb_status open_parenthesis(fmb_smt *r, const char *at)
 {
     fmb_smt_token t;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "an operator", &t);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "an operator", &t));
     if (fmb_smt_is_word(&t, "!"))
         return push_open_frame(r, FMB_SMT_NOTE, at);
     if (fmb_smt_is_word(&t, "let")) {
-        st = push_open_frame(r, FMB_SMT_LET, at);
-        if (st == FMB_OK)
-            st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' before the bindings of let", &t);
-        return st == FMB_OK ? read_next_binding(r) : st;
+        FMB_TRY(push_open_frame(r, FMB_SMT_LET, at));
+        FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' before the bindings of let", &t));
+        return read_next_binding(r);
     }
     if (fmb_smt_is_word(&t, "forall") || fmb_smt_is_word(&t, "exists"))
         return fmb_io_fail(r->c, at, "not a conjunction: a quantifier cannot be read");
@@ -273,9 +252,7 @@ static fmb_status open_parenthesis(fmb_smt *r, const char *at)
 static fmb_status value_of_name(fmb_smt *r, const fmb_smt_token *t, fmb_smt_value *v)
 {
     size_t symbol;
-    fmb_status st = fmb_smt_intern(&r->scope, t->text, &symbol);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_intern(&r->scope, t->text, &symbol));
     const fmb_smt_local *local = fmb_smt_find_local(&r->scope, symbol);
     const fmb_smt_symbol *known = &r->scope.symbol[symbol];
     *v = local ? local->value : known->value;
@@ -296,8 +273,8 @@ static fmb_status value_of_numeral(fmb_smt *r, const fmb_smt_token *t, fmb_smt_v
 {
     r->c->at = t->at;
     *v = (fmb_smt_value){.at = t->at};
-    fmb_status st = fmb_scan_number(r->c, FMB_NUM_DECIMAL, "a number", r->number);
-    return st == FMB_OK ? fmb_lin_number(&r->lin, r->number, &v->id) : st;
+    FMB_TRY(fmb_scan_number(r->c, FMB_NUM_DECIMAL, "a number", r->number));
+    return fmb_lin_number(&r->lin, r->number, &v->id);
 }
 
 fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out)
@@ -308,21 +285,19 @@ fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out)
         fmb_smt_token t;
         fmb_smt_value v;
         bool ready = false;
-        fmb_status st = fmb_smt_next(r->c, &t);
-        if (st == FMB_OK && t.kind == FMB_SMT_OPEN)
-            st = open_parenthesis(r, t.at);
-        else if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
-            st = close_application(r, base, &t, &v, &ready);
-        else if (st == FMB_OK) {
+        FMB_TRY(fmb_smt_next(r->c, &t));
+        if (t.kind == FMB_SMT_OPEN)
+            FMB_TRY(open_parenthesis(r, t.at));
+        else if (t.kind == FMB_SMT_CLOSE)
+            FMB_TRY(close_application(r, base, &t, &v, &ready));
+        else {
             ready = true;
-            st = t.kind == FMB_SMT_SYMBOL   ? value_of_name(r, &t, &v)
-                 : t.kind == FMB_SMT_NUMBER ? value_of_numeral(r, &t, &v)
-                                            : fmb_io_expected(r->c, t.at, "a term");
+            FMB_TRY(t.kind == FMB_SMT_SYMBOL   ? value_of_name(r, &t, &v)
+                    : t.kind == FMB_SMT_NUMBER ? value_of_numeral(r, &t, &v)
+                                               : fmb_io_expected(r->c, t.at, "a term"));
         }
-        if (st == FMB_OK && ready)
-            st = deliver_to_open_frames(r, base, &v, &done);
-        if (st != FMB_OK)
-            return st;
+        if (ready)
+            FMB_TRY(deliver_to_open_frames(r, base, &v, &done));
         if (done)
             *out = v;
     }

@@ -27,15 +27,12 @@ static fmb_status read_variable_factor(fmb_text *t, fmb_draft *d)
     const char *p = t->c->at;
     fmb_span name;
     int j = 0;
-    fmb_status st = fmb_text_scan_name(t, &name);
-    if (st == FMB_OK)
-        st = fmb_text_variable(t, p, name, &j);
+    FMB_TRY(fmb_text_scan_name(t, &name));
+    FMB_TRY(fmb_text_variable(t, p, name, &j));
     mpq_ptr slot;
-    if (st == FMB_OK)
-        st = fmb_draft_term(d, j, &slot);
-    if (st == FMB_OK)
-        mpq_set_ui(slot, 1, 1);
-    return st;
+    FMB_TRY(fmb_draft_term(d, j, &slot));
+    mpq_set_ui(slot, 1, 1);
+    return FMB_OK;
 }
 
 static fmb_status read_parenthesis(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
@@ -45,10 +42,8 @@ static fmb_status read_parenthesis(fmb_text *t, fmb_draft *d, mpq_t constant, in
         return fmb_io_fail(c, c->at, "expected at most %d parentheses inside each other",
                            FMB_TEXT_DEPTH);
     c->at++;
-    fmb_status st = read_sum_of_terms(t, d, constant, depth + 1);
-    if (st == FMB_OK && !fmb_accept(c, ")"))
-        st = fmb_io_expected(c, c->at, "an operator or ')'");
-    return st;
+    FMB_TRY(read_sum_of_terms(t, d, constant, depth + 1));
+    return !fmb_accept(c, ")") ? fmb_io_expected(c, c->at, "an operator or ')'") : FMB_OK;
 }
 
 /* A product costs more than a number that is read: (x + y + ...)*1*1*1 and 1e99999*1e99999*... must
@@ -68,10 +63,10 @@ static fmb_status multiply_entry(fmb_cursor *c, mpq_ptr a, mpq_srcptr q)
 static fmb_status scale_linear_piece(fmb_text *t, fmb_draft *d, size_t from, mpq_t constant,
                                      const mpq_t q)
 {
-    fmb_status st = multiply_entry(t->c, constant, q);
-    for (size_t k = from; st == FMB_OK && k < d->n; k++)
-        st = multiply_entry(t->c, d->coef[k], q);
-    return st;
+    FMB_TRY(multiply_entry(t->c, constant, q));
+    for (size_t k = from; k < d->n; k++)
+        FMB_TRY(multiply_entry(t->c, d->coef[k], q));
+    return FMB_OK;
 }
 
 static void negate_linear_piece(fmb_draft *d, size_t from, mpq_t constant)
@@ -102,7 +97,6 @@ static fmb_status read_signed_factor(fmb_text *t, fmb_draft *d, mpq_t constant, 
     fmb_cursor *c = t->c;
     bool minus = false;
     size_t from = d->n;
-    fmb_status st;
     for (fmb_skip_blanks(c);; fmb_skip_blanks(c)) {
         if (accept_minus_sign(c))
             minus = !minus;
@@ -111,19 +105,18 @@ static fmb_status read_signed_factor(fmb_text *t, fmb_draft *d, mpq_t constant, 
     }
     mpq_set_ui(constant, 0, 1);
     if (fmb_peek(c) == '(')
-        st = read_parenthesis(t, d, constant, depth);
+        FMB_TRY(read_parenthesis(t, d, constant, depth));
     else if (is_at_start_of_name(c))
-        st = read_variable_factor(t, d);
+        FMB_TRY(read_variable_factor(t, d));
     else {
         const char *number = c->at;
-        st = fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FRACTION,
-                             "a number, a name or '('", constant);
-        if (st == FMB_OK)
-            st = refuse_cut_exponent(t, number);
+        FMB_TRY(fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FRACTION,
+                                "a number, a name or '('", constant));
+        FMB_TRY(refuse_cut_exponent(t, number));
     }
-    if (st == FMB_OK && minus)
+    if (minus)
         negate_linear_piece(d, from, constant);
-    return st;
+    return FMB_OK;
 }
 
 /* The piece (from.., a) times or divided by the piece (middle.., b); p is where the second begins.

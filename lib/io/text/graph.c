@@ -19,16 +19,15 @@ typedef struct graph {
 /* [give] The variables that s keeps, twice: to read forms, and to begin the graph. */
 static fmb_status open_graph(graph *g, const fmb_system *s)
 {
-    fmb_status st = fmb_system_new(0, g->t->c->how->mem, &g->from);
-    if (st == FMB_OK)
-        st = fmb_system_new(0, g->t->c->how->mem, &g->to);
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(s); j++) {
+    FMB_TRY(fmb_system_new(0, g->t->c->how->mem, &g->from));
+    FMB_TRY(fmb_system_new(0, g->t->c->how->mem, &g->to));
+    for (int j = 0; j < fmb_system_dim(s); j++) {
         if (fmb_system_keeps(s, j))
-            st = fmb_system_add_variable(g->from, fmb_system_name(s, j), NULL);
-        if (st == FMB_OK && fmb_system_keeps(s, j))
-            st = fmb_system_add_variable(g->to, fmb_system_name(s, j), NULL);
+            FMB_TRY(fmb_system_add_variable(g->from, fmb_system_name(s, j), NULL));
+        if (fmb_system_keeps(s, j))
+            FMB_TRY(fmb_system_add_variable(g->to, fmb_system_name(s, j), NULL));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Variable j of the graph gets a name that it had not, which is free. */
@@ -52,12 +51,12 @@ static fmb_status add_coordinate(graph *g, const char *p, fmb_span name, int *in
     fmb_cursor *c = g->t->c;
     char found[FMB_QUOTE];
     int taken;
-    fmb_status st = fmb_span_find(c, name, g->to, &taken);
-    if (st == FMB_OK && taken >= fmb_system_dim(g->from))
+    FMB_TRY(fmb_span_find(c, name, g->to, &taken));
+    if (taken >= fmb_system_dim(g->from))
         return fmb_io_fail(c, p, "expected a new name, found %s again", fmb_quote(c, p, found));
-    if (st == FMB_OK && taken >= 0)
-        st = lengthen_name(g->to, taken, c->mem);
-    return st == FMB_OK ? fmb_span_variable(c, name, g->to, index) : st;
+    if (taken >= 0)
+        FMB_TRY(lengthen_name(g->to, taken, c->mem));
+    return fmb_span_variable(c, name, g->to, index);
 }
 
 /* FORM = c + a.x as the row a.x - NAME = -c. */
@@ -65,9 +64,7 @@ static fmb_status append_form(graph *g, const char *start, int index)
 {
     fmb_draft *d = &g->t->left;
     mpq_ptr slot;
-    fmb_status st = fmb_draft_term(d, index, &slot);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_draft_term(d, index, &slot));
     mpq_set_si(slot, -1, 1);
     mpq_neg(d->rhs, d->rhs);
     return fmb_draft_append(g->t->c, start, d, FMB_EQ, g->to);
@@ -96,15 +93,15 @@ static fmb_status read_map_line(graph *g)
 static fmb_status read_map_lines(graph *g)
 {
     fmb_cursor *c = g->t->c;
-    fmb_status st = fmb_io_check(c);
-    for (; st == FMB_OK && c->at < c->end; fmb_next_line(c)) {
+    FMB_TRY(fmb_io_check(c));
+    for (; c->at < c->end; fmb_next_line(c)) {
         fmb_skip_blanks(c);
         if (fmb_peek(c) >= 0 && fmb_peek(c) != '\n' && fmb_peek(c) != '#')
-            st = read_map_line(g);
+            FMB_TRY(read_map_line(g));
     }
-    if (st == FMB_OK && fmb_system_rows(g->to) == 0)
-        st = fmb_io_fail(c, NULL, "expected lines NAME = FORM, found none");
-    return st;
+    if (fmb_system_rows(g->to) == 0)
+        return fmb_io_fail(c, NULL, "expected lines NAME = FORM, found none");
+    return FMB_OK;
 }
 
 typedef struct map_text {

@@ -47,9 +47,8 @@ fmb_status fmb_text_scan_name(fmb_text *t, fmb_span *out)
     fmb_cursor *c = t->c;
     const char *p = c->at;
     if (fmb_peek(c) == '"') {
-        fmb_status st = fmb_scan_quoted(c, &t->name, out);
-        return st == FMB_OK && out->n == 0 ? fmb_io_fail(c, p, "expected a name between the quotes")
-                                           : st;
+        FMB_TRY(fmb_scan_quoted(c, &t->name, out));
+        return out->n == 0 ? fmb_io_fail(c, p, "expected a name between the quotes") : FMB_OK;
     }
     size_t n;
     while ((n = fmb_text_name_char(c->at, (size_t)(c->end - c->at), c->at == p)) > 0)
@@ -63,10 +62,8 @@ fmb_status fmb_text_scan_name(fmb_text *t, fmb_span *out)
 static fmb_status note_use_of_variable(fmb_text *t, const char *p, int j)
 {
     size_t known = t->use_capacity;
-    fmb_status st = fmb_mem_reserve(t->c->mem, (void **)&t->use, &t->use_capacity, (size_t)j + 1,
-                                    sizeof *t->use);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(t->c->mem, (void **)&t->use, &t->use_capacity, (size_t)j + 1,
+                            sizeof *t->use));
     memset(t->use + known, 0, (t->use_capacity - known) * sizeof *t->use);
     if (t->use[j].times++ == 0)
         t->use[j].at = p;
@@ -77,13 +74,12 @@ fmb_status fmb_text_variable(fmb_text *t, const char *p, fmb_span name, int *ind
 {
     int j = -1;
     if (!t->declared) {
-        fmb_status st = fmb_span_variable(t->c, name, t->s, index);
-        return st == FMB_OK ? note_use_of_variable(t, p, *index) : st;
+        FMB_TRY(fmb_span_variable(t->c, name, t->s, index));
+        return note_use_of_variable(t, p, *index);
     }
-    fmb_status st = fmb_span_find(t->c, name, t->s, &j);
-    if (st == FMB_OK && j < 0)
-        st = fmb_io_expected(t->c, p, "a variable of the %s", t->alone ? "system" : "vars line");
-    if (st == FMB_OK)
-        *index = j;
-    return st;
+    FMB_TRY(fmb_span_find(t->c, name, t->s, &j));
+    if (j < 0)
+        return fmb_io_expected(t->c, p, "a variable of the %s", t->alone ? "system" : "vars line");
+    *index = j;
+    return FMB_OK;
 }

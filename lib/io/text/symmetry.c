@@ -50,11 +50,11 @@ static fmb_status add_symmetry(permutation_reader *r, const char *p)
                                fmb_quote_name(fmb_system_name(r->s, j), name),
                                r->kept[j] ? "kept" : "eliminated",
                                fmb_quote_name(fmb_system_name(r->s, r->image[j]), other));
-    fmb_status st = fmb_row_images_check(&r->rows, r->image, &without);
-    if (st == FMB_OK && without != SIZE_MAX)
+    FMB_TRY(fmb_row_images_check(&r->rows, r->image, &without));
+    if (without != SIZE_MAX)
         return fmb_io_fail(c, p, "expected a symmetry, but row %zu would become none of the rows",
                            without + 1);
-    return st == FMB_OK ? fmb_permutations_add(r->out, r->image) : st;
+    return fmb_permutations_add(r->out, r->image);
 }
 
 static void forget_rule(permutation_reader *r, size_t n)
@@ -84,35 +84,31 @@ static fmb_status read_variable(permutation_reader *r, int *index)
     char found[FMB_QUOTE];
     const char *p = r->t->c->at;
     fmb_span name;
-    fmb_status st = fmb_text_scan_name(r->t, &name);
-    if (st == FMB_OK)
-        st = fmb_text_variable(r->t, p, name, index);
-    if (st == FMB_OK && r->met[*index])
-        st = fmb_io_fail(r->t->c, p, "expected each name once on a side, found %s again",
-                         fmb_quote(r->t->c, p, found));
-    if (st == FMB_OK)
-        r->met[*index] = true;
-    return st;
+    FMB_TRY(fmb_text_scan_name(r->t, &name));
+    FMB_TRY(fmb_text_variable(r->t, p, name, index));
+    if (r->met[*index])
+        return fmb_io_fail(r->t->c, p, "expected each name once on a side, found %s again",
+                           fmb_quote(r->t->c, p, found));
+    r->met[*index] = true;
+    return FMB_OK;
 }
 
 static fmb_status read_variables(permutation_reader *r, int *list, size_t *n)
 {
-    fmb_status st = FMB_OK;
     memset(r->met, 0, r->most * sizeof *r->met);
-    for (*n = 0; st == FMB_OK && is_at_next_name(r->t->c);)
-        st = read_variable(r, &list[(*n)++]);
-    return st;
+    for (*n = 0; is_at_next_name(r->t->c);)
+        FMB_TRY(read_variable(r, &list[(*n)++]));
+    return FMB_OK;
 }
 
 /* The variables on the right are where those on the left go. */
 static fmb_status read_images_of_list(permutation_reader *r, size_t n)
 {
-    fmb_status st = FMB_OK;
     memset(r->met, 0, r->most * sizeof *r->met);
-    for (size_t k = 0; st == FMB_OK && k < n; k++)
-        st = is_at_next_name(r->t->c) ? read_variable(r, &r->image[r->list[k]])
-                                      : fail_at_sign(r->t->c);
-    return st == FMB_OK && is_at_next_name(r->t->c) ? fail_at_sign(r->t->c) : st;
+    for (size_t k = 0; k < n; k++)
+        FMB_TRY(is_at_next_name(r->t->c) ? read_variable(r, &r->image[r->list[k]])
+                                         : fail_at_sign(r->t->c));
+    return is_at_next_name(r->t->c) ? fail_at_sign(r->t->c) : FMB_OK;
 }
 
 static fmb_status read_rule_of_variables(permutation_reader *r)
@@ -120,13 +116,10 @@ static fmb_status read_rule_of_variables(permutation_reader *r)
     size_t n;
     const char *start = r->t->c->at;
     forget_rule(r, r->most);
-    fmb_status st = read_variables(r, r->list, &n);
-    if (st == FMB_OK && (n == 0 || !fmb_accept(r->t->c, "<>")))
-        st = fail_at_sign(r->t->c);
-    if (st == FMB_OK)
-        st = read_images_of_list(r, n);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_variables(r, r->list, &n));
+    if (n == 0 || !fmb_accept(r->t->c, "<>"))
+        return fail_at_sign(r->t->c);
+    FMB_TRY(read_images_of_list(r, n));
     (void)fmb_permutation_complete(r->image, fmb_system_dim(r->s), r->met);
     return add_symmetry(r, start);
 }
@@ -315,12 +308,12 @@ static fmb_status open_reader(permutation_reader *r, const int *keep, int n)
     r->met = fmb_mem_zero(mem, r->most, sizeof *r->met);
     r->image = fmb_mem_get(mem, r->most, sizeof *r->image);
     r->list = fmb_mem_get(mem, dim + 1, sizeof *r->list);
-    fmb_status st = fmb_row_images_init(&r->rows, r->s, mem);
-    if (st == FMB_OK && !(r->kept && r->met && r->image && r->list))
-        st = fmb_mem_status(mem);
-    for (int j = 0; st == FMB_OK && j < n; j++)
+    FMB_TRY(fmb_row_images_init(&r->rows, r->s, mem));
+    if (!(r->kept && r->met && r->image && r->list))
+        FMB_TRY(fmb_mem_status(mem));
+    for (int j = 0; j < n; j++)
         r->kept[keep[j]] = true;
-    return st == FMB_OK ? fmb_permutations_new((int)dim, r->t->c->how->mem, &r->out) : st;
+    return fmb_permutations_new((int)dim, r->t->c->how->mem, &r->out);
 }
 
 static void close_reader(permutation_reader *r)
@@ -348,12 +341,10 @@ static fmb_status parse_symmetries(fmb_cursor *c, void *self)
 {
     const symmetry_text *x = self;
     fmb_system *names = NULL;
-    fmb_status st = fmb_system_copy_to(x->s, c->how->mem, &names);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_system_copy_to(x->s, c->how->mem, &names));
     fmb_text t = {.c = c, .s = names, .declared = true, .alone = true};
     permutation_reader r = {.t = &t, .s = names};
-    st = open_reader(&r, x->keep, x->n);
+    fmb_status st = open_reader(&r, x->keep, x->n);
     if (st == FMB_OK)
         st = read_lines(&r);
     close_reader(&r);

@@ -84,9 +84,7 @@ static fmb_status move_side_to_row(fmb_draft *row, const fmb_draft *d, bool minu
 {
     for (size_t k = 0; k < d->n; k++) {
         mpq_ptr slot;
-        fmb_status st = fmb_draft_term(row, d->var[k], &slot);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_draft_term(row, d->var[k], &slot));
         mpq_set(slot, d->coef[k]);
         if (minus)
             mpq_neg(slot, slot);
@@ -103,15 +101,13 @@ static fmb_status append_chain_link(fmb_text *t, fmb_rel rel, const char *start,
                                     const fmb_span *label)
 {
     fmb_draft_reset(&t->row);
-    fmb_status st = move_side_to_row(&t->row, &t->left, false);
-    if (st == FMB_OK)
-        st = move_side_to_row(&t->row, &t->right, true);
-    if (st == FMB_OK)
-        st = fmb_draft_append(t->c, start, &t->row, rel, t->s);
-    if (st != FMB_OK || !label)
-        return st;
-    st = fmb_io_charge(t->c, start, label->n);
-    return st == FMB_OK ? fmb_span_label(t->c, *label, t->s, fmb_system_rows(t->s) - 1) : st;
+    FMB_TRY(move_side_to_row(&t->row, &t->left, false));
+    FMB_TRY(move_side_to_row(&t->row, &t->right, true));
+    FMB_TRY(fmb_draft_append(t->c, start, &t->row, rel, t->s));
+    if (!label)
+        return FMB_OK;
+    FMB_TRY(fmb_io_charge(t->c, start, label->n));
+    return fmb_span_label(t->c, *label, t->s, fmb_system_rows(t->s) - 1);
 }
 
 /* The left side, which no relation follows, is what a label such as "max" asks for. */
@@ -141,9 +137,7 @@ static fmb_status read_relation_chain(fmb_text *t, const fmb_span *label, bool p
     fmb_cursor *c = t->c;
     const char *start = c->at;
     fmb_rel r;
-    fmb_status st = fmb_text_expression(t, &t->left);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_text_expression(t, &t->left));
     if (!accept_relation(c, &r))
         return plain && label && fmb_text_sense(*label) ? take_objective_line(t, *label)
                                                         : fail_at_relation(c);
@@ -152,11 +146,8 @@ static fmb_status read_relation_chain(fmb_text *t, const fmb_span *label, bool p
             c->at--;
             return fail_at_relation(c);
         }
-        st = fmb_text_expression(t, &t->right);
-        if (st == FMB_OK)
-            st = append_chain_link(t, r, start, label);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_text_expression(t, &t->right));
+        FMB_TRY(append_chain_link(t, r, start, label));
         fmb_draft d = t->left;
         t->left = t->right;
         t->right = d;
@@ -174,32 +165,30 @@ static fmb_status declare_new_name(fmb_text *t, const char *p, fmb_span name)
 {
     char found[FMB_QUOTE];
     int j = -1;
-    fmb_status st = fmb_span_find(t->c, name, t->s, &j);
-    if (st == FMB_OK && j >= 0)
+    FMB_TRY(fmb_span_find(t->c, name, t->s, &j));
+    if (j >= 0)
         return fmb_io_fail(t->c, p, "expected a new name, found %s again",
                            fmb_quote(t->c, p, found));
-    return st == FMB_OK ? fmb_span_variable(t->c, name, t->s, &j) : st;
+    return fmb_span_variable(t->c, name, t->s, &j);
 }
 
 /* project: and eliminate: names. */
 static fmb_status mark_named_variable(fmb_text *t, const char *p, fmb_span name)
 {
     int j = 0;
-    fmb_status st = fmb_text_variable(t, p, name, &j);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(t->c->mem, (void **)&t->mark, &t->mark_capacity, t->marks + 1,
-                             sizeof *t->mark);
-    if (st == FMB_OK)
-        t->mark[t->marks++] = j;
-    return st;
+    FMB_TRY(fmb_text_variable(t, p, name, &j));
+    FMB_TRY(fmb_mem_reserve(t->c->mem, (void **)&t->mark, &t->mark_capacity, t->marks + 1,
+                            sizeof *t->mark));
+    t->mark[t->marks++] = j;
+    return FMB_OK;
 }
 
 /* integer: names. */
 static fmb_status mark_integer_variable(fmb_text *t, const char *p, fmb_span name)
 {
     int j = 0;
-    fmb_status st = fmb_text_variable(t, p, name, &j);
-    return st == FMB_OK ? fmb_system_set_integer(t->s, j, true) : st;
+    FMB_TRY(fmb_text_variable(t, p, name, &j));
+    return fmb_system_set_integer(t->s, j, true);
 }
 
 /* Names up to the end of the line, with blanks or commas between them. */
@@ -214,11 +203,8 @@ static fmb_status read_list_of_names(fmb_text *t,
             return FMB_OK;
         fmb_span name;
         const char *p = c->at;
-        fmb_status st = fmb_text_scan_name(t, &name);
-        if (st == FMB_OK)
-            st = take(t, p, name);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_text_scan_name(t, &name));
+        FMB_TRY(take(t, p, name));
     }
 }
 
@@ -253,19 +239,14 @@ static void set_kept_variables(fmb_text *t)
 static fmb_status read_text_line(fmb_text *t)
 {
     fmb_cursor *c = t->c;
-    fmb_status st = FMB_OK;
     fmb_span label = {0};
     bool quoted = true;
     const char *colon = find_label_colon(c);
     if (colon)
-        st = read_row_label(t, colon, &label, &quoted);
-    if (st != FMB_OK)
-        return st;
-    st = !quoted && fmb_text_is_reserved(label)
-             ? read_reserved_line(t, label)
-             : read_relation_chain(t, colon ? &label : NULL, !quoted);
-    if (st != FMB_OK)
-        return st;
+        FMB_TRY(read_row_label(t, colon, &label, &quoted));
+    FMB_TRY(!quoted && fmb_text_is_reserved(label)
+                ? read_reserved_line(t, label)
+                : read_relation_chain(t, colon ? &label : NULL, !quoted));
     fmb_skip_blanks(c);
     if (fmb_peek(c) >= 0 && fmb_peek(c) != '\n' && fmb_peek(c) != '#')
         return fail_at_relation(c);

@@ -36,23 +36,19 @@ void fmb_program_clear(fmb_program *p)
 static fmb_status reserve_row(fmb_program *p)
 {
     size_t old = p->own_capacity;
-    fmb_status st =
-        fmb_mem_reserve(p->mem, (void **)&p->row, &p->capacity, p->m + 1, sizeof *p->row);
-    if (st == FMB_OK && p->own && p->m == old) {
-        st = fmb_mem_reserve(p->mem, (void **)&p->own, &p->own_capacity, p->m + 1,
-                             sizeof(fmb_vec *));
-        if (st == FMB_OK)
-            memset(p->own + old, 0, (p->own_capacity - old) * sizeof(fmb_vec *));
+    FMB_TRY(fmb_mem_reserve(p->mem, (void **)&p->row, &p->capacity, p->m + 1, sizeof *p->row));
+    if (p->own && p->m == old) {
+        FMB_TRY(fmb_mem_reserve(p->mem, (void **)&p->own, &p->own_capacity, p->m + 1,
+                                sizeof(fmb_vec *)));
+        memset(p->own + old, 0, (p->own_capacity - old) * sizeof(fmb_vec *));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const int *place,
                            const fmb_vec *value, fmb_rel rel)
 {
-    fmb_status st = reserve_row(p);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(reserve_row(p));
     int *column = fmb_mem_get(p->mem, size, sizeof *column);
     if (!column)
         return fmb_mem_status(p->mem);
@@ -66,9 +62,9 @@ fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const in
 
 static fmb_status make_room_for_held(fmb_program *p)
 {
-    fmb_status st = reserve_row(p);
-    if (st != FMB_OK || p->own)
-        return st;
+    FMB_TRY(reserve_row(p));
+    if (p->own)
+        return FMB_OK;
     p->own = fmb_mem_zero(p->mem, p->capacity, sizeof(fmb_vec *));
     p->own_capacity = p->own ? p->capacity : 0;
     return p->own ? FMB_OK : fmb_mem_status(p->mem);
@@ -77,9 +73,7 @@ static fmb_status make_room_for_held(fmb_program *p)
 /* A row of `size` terms and room for its value, small zeros; *value is where to write them. */
 static fmb_status add_held_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec **value)
 {
-    fmb_status st = make_room_for_held(p);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(make_room_for_held(p));
     fmb_vec *v = fmb_mem_zero(p->mem, 1, sizeof *v);
     int64_t *words = fmb_mem_zero(p->mem, size + 1, sizeof *words);
     int *column = fmb_mem_get(p->mem, size, sizeof *column);
@@ -126,11 +120,9 @@ fmb_status fmb_program_add_copy(fmb_program *p, size_t size, const int *column,
                                 const fmb_vec *value, fmb_rel rel)
 {
     fmb_vec *to = NULL;
-    fmb_status st = add_held_row(p, size, rel, &to);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(add_held_row(p, size, rel, &to));
     memcpy(p->row[p->m - 1].column, column, size * sizeof *column);
-    st = fmb_vec_copy(to, value, size + 1, p->mem);
+    fmb_status st = fmb_vec_copy(to, value, size + 1, p->mem);
     if (st != FMB_OK)
         fmb_program_drop_last(p);
     return st;
@@ -145,9 +137,7 @@ fmb_status fmb_program_set_right(fmb_program *p, size_t i, const mpz_t b)
         fmb_vec_measure(v, size + 1);
         return FMB_OK;
     }
-    fmb_status st = fmb_vec_widen(v, size + 1, p->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_vec_widen(v, size + 1, p->mem));
     mpz_set(v->z[size], b);
     return fmb_vec_settle(v, size + 1, p->mem);
 }

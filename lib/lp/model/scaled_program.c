@@ -157,17 +157,11 @@ static fmb_status scale_columns(fmb_scaled_program *f)
 static fmb_status reserve_real_rows(fmb_scaled_program *f, size_t m, size_t terms)
 {
     fmb_mem *mem = f->run->mem;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&f->start, &f->start_room, m + 1, sizeof *f->start);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&f->value, &f->value_room, terms, sizeof *f->value);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&f->right, &f->right_room, m, sizeof *f->right);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&f->exponent, &f->exponent_room, m, sizeof *f->exponent);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&f->off, &f->off_room, m, sizeof *f->off);
-    return st;
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->start, &f->start_room, m + 1, sizeof *f->start));
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->value, &f->value_room, terms, sizeof *f->value));
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->right, &f->right_room, m, sizeof *f->right));
+    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->exponent, &f->exponent_room, m, sizeof *f->exponent));
+    return fmb_mem_reserve(mem, (void **)&f->off, &f->off_room, m, sizeof *f->off);
 }
 
 fmb_status fmb_scaled_program_grow(fmb_scaled_program *f)
@@ -175,9 +169,7 @@ fmb_status fmb_scaled_program_grow(fmb_scaled_program *f)
     size_t m = f->p->m, terms = f->m > 0 ? f->start[f->m] : 0;
     for (size_t i = f->m; i < m; i++)
         terms += f->p->row[i].size;
-    fmb_status st = reserve_real_rows(f, m, terms);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(reserve_real_rows(f, m, terms));
     f->start[0] = 0;
     for (; f->m < m; f->m++)
         load_real_row(f, f->m);
@@ -190,8 +182,8 @@ fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fm
     f->column_exponent = fmb_mem_zero(run->mem, f->n, sizeof *f->column_exponent);
     if (!f->column_exponent)
         return fmb_mem_status(run->mem);
-    fmb_status st = fmb_scaled_program_grow(f);
-    return st == FMB_OK && find_least_coefficient(f) < ldexp(1, -WIDE) ? scale_columns(f) : st;
+    FMB_TRY(fmb_scaled_program_grow(f));
+    return find_least_coefficient(f) < ldexp(1, -WIDE) ? scale_columns(f) : FMB_OK;
 }
 
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)

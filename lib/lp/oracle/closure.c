@@ -62,10 +62,9 @@ static fmb_status need_backend(fmb_oracle *o)
 {
     if (o->backend)
         return FMB_OK;
-    fmb_status st = fmb_vertex_init(&o->v, o->run, o->p);
-    if (st == FMB_OK)
-        st = fmb_pivot_walk_init(&o->w, &o->v);
-    return st == FMB_OK ? fmb_backend_open(o->run, o->p, &o->backend) : st;
+    FMB_TRY(fmb_vertex_init(&o->v, o->run, o->p));
+    FMB_TRY(fmb_pivot_walk_init(&o->w, &o->v));
+    return fmb_backend_open(o->run, o->p, &o->backend);
 }
 
 void fmb_closure_begin(fmb_oracle *o)
@@ -111,21 +110,19 @@ static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
  * hang on their last digits. */
 static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end)
 {
-    fmb_status st = FMB_OK;
     bool sure = false;
     bool is_long = fmb_refined_farkas_is_worth_it(&o->v) && fmb_way(FMB_WAY_REFINED_FARKAS);
     if (is_long)
-        st = fmb_refined_farkas(&o->v, h->odd, &o->w.sign, &sure);
-    if (st == FMB_OK && is_long && !sure) {
+        FMB_TRY(fmb_refined_farkas(&o->v, h->odd, &o->w.sign, &sure));
+    if (is_long && !sure) {
         fmb_backend_sharpen(o->backend);
-        st = fmb_backend_search(o->backend, NULL, h);
-        if (st == FMB_OK)
-            st = fmb_vertex_set(&o->v, o->hint);
-        if (st == FMB_OK && h->kind == FMB_HINT_INFEASIBLE)
-            st = fmb_refined_farkas(&o->v, h->odd, &o->w.sign, &sure);
+        FMB_TRY(fmb_backend_search(o->backend, NULL, h));
+        FMB_TRY(fmb_vertex_set(&o->v, o->hint));
+        if (h->kind == FMB_HINT_INFEASIBLE)
+            FMB_TRY(fmb_refined_farkas(&o->v, h->odd, &o->w.sign, &sure));
     }
-    if (st != FMB_OK || h->kind != FMB_HINT_INFEASIBLE)
-        return st;
+    if (h->kind != FMB_HINT_INFEASIBLE)
+        return FMB_OK;
     fmb_way_answered(FMB_WAY_REFINED_FARKAS, sure);
     if (!sure)
         return fmb_pivot_walk_try_conflict(&o->w, h->odd, end);
@@ -140,41 +137,39 @@ static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *e
 static fmb_status reach_feasible(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
-    fmb_status st = fmb_pivot_walk_to_feasible(&o->w, FEW_STEPS, end);
+    FMB_TRY(fmb_pivot_walk_to_feasible(&o->w, FEW_STEPS, end));
     double scale = 0x1p20;
-    for (int k = 0; st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT && k < REFINEMENTS;
-         k++) {
-        st = refine_guess(o, scale, &h);
-        if (st == FMB_OK)
-            st = fmb_vertex_set(&o->v, o->hint);
-        if (st == FMB_OK && h.kind == FMB_HINT_INFEASIBLE)
-            st = try_conflict(o, &h, end);
-        if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
-            st = fmb_pivot_walk_to_feasible(&o->w, FEW_STEPS, end);
+    for (int k = 0; *end == FMB_PIVOT_WALK_ITERATION_LIMIT && k < REFINEMENTS; k++) {
+        FMB_TRY(refine_guess(o, scale, &h));
+        FMB_TRY(fmb_vertex_set(&o->v, o->hint));
+        if (h.kind == FMB_HINT_INFEASIBLE)
+            FMB_TRY(try_conflict(o, &h, end));
+        if (*end == FMB_PIVOT_WALK_ITERATION_LIMIT)
+            FMB_TRY(fmb_pivot_walk_to_feasible(&o->w, FEW_STEPS, end));
         scale *= 0x1p10;
     }
-    if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
-        st = fmb_pivot_walk_to_feasible(&o->w, 0, end);
-    return st;
+    if (*end == FMB_PIVOT_WALK_ITERATION_LIMIT)
+        FMB_TRY(fmb_pivot_walk_to_feasible(&o->w, 0, end));
+    return FMB_OK;
 }
 
 fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h)
 {
     *h = (fmb_hint){.basis = o->hint};
-    fmb_status st = need_backend(o);
-    return st == FMB_OK ? fmb_backend_search(o->backend, o->leans ? o->lean : NULL, h) : st;
+    FMB_TRY(need_backend(o));
+    return fmb_backend_search(o->backend, o->leans ? o->lean : NULL, h);
 }
 
 /* The closure of the rows: a vertex or a conflict. */
 fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end)
 {
     *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
-    fmb_status st = fmb_vertex_set(&o->v, o->hint);
-    if (st == FMB_OK && h->kind == FMB_HINT_INFEASIBLE)
-        st = try_conflict(o, h, end);
-    if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
-        st = reach_feasible(o, end);
-    return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
+    FMB_TRY(fmb_vertex_set(&o->v, o->hint));
+    if (h->kind == FMB_HINT_INFEASIBLE)
+        FMB_TRY(try_conflict(o, h, end));
+    if (*end == FMB_PIVOT_WALK_ITERATION_LIMIT)
+        FMB_TRY(reach_feasible(o, end));
+    return *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : FMB_OK;
 }
 
 /* ---- how far does it go ---------------------------------------------------------------------- */
@@ -238,8 +233,8 @@ static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
             add_place_to_price(o, r, fmb_vertex_rough_price(v, r) / fmax(most, fabs(weight)));
     }
     fmb_backend_place(o->backend, v->basis);
-    fmb_status st = fmb_backend_maximize(o->backend, o->price, h);
-    return st == FMB_OK ? fmb_vertex_set(v, o->hint) : st;
+    FMB_TRY(fmb_backend_maximize(o->backend, o->price, h));
+    return fmb_vertex_set(v, o->hint);
 }
 
 /* Where exact pivots were taken, the backend goes on from where they ended. */
@@ -272,57 +267,50 @@ static fmb_status climb_with_refinements(fmb_oracle *o, fmb_pivot_walk_end *end)
     fmb_hint h = {.basis = o->hint};
     fmb_pivot_walk_end there;
     uint64_t pivots = o->run->stats.pivots;
-    fmb_status st = fmb_pivot_walk_to_optimum(&o->w, FEW_PIVOTS, o->cost.z, end);
-    for (int k = 0; st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT && k <= MOST_OPTIMA;
-         k++) {
-        st = keep_better_vertex(o);
-        if (st == FMB_OK)
-            st = refine_optimum(o, &h);
-        if (st == FMB_OK)
-            st = reach_feasible(o, &there);
-        if (st == FMB_OK)
-            st = fmb_pivot_walk_to_optimum(&o->w, k < MOST_OPTIMA ? FEW_PIVOTS : 0, o->cost.z, end);
+    FMB_TRY(fmb_pivot_walk_to_optimum(&o->w, FEW_PIVOTS, o->cost.z, end));
+    for (int k = 0; *end == FMB_PIVOT_WALK_ITERATION_LIMIT && k <= MOST_OPTIMA; k++) {
+        FMB_TRY(keep_better_vertex(o));
+        FMB_TRY(refine_optimum(o, &h));
+        FMB_TRY(reach_feasible(o, &there));
+        FMB_TRY(fmb_pivot_walk_to_optimum(&o->w, k < MOST_OPTIMA ? FEW_PIVOTS : 0, o->cost.z, end));
     }
-    if (st == FMB_OK)
-        let_backend_follow(o, pivots, *end);
-    return st;
+    let_backend_follow(o, pivots, *end);
+    return FMB_OK;
 }
 
 /* Where does the backend lead to? */
 static fmb_status guess_optimum(fmb_oracle *o, const fmb_weights *cost, fmb_hint *h)
 {
     *h = (fmb_hint){.basis = o->hint};
-    fmb_status st = need_backend(o);
-    if (st == FMB_OK)
-        st = take_cost(o, cost);
-    return st == FMB_OK ? fmb_backend_maximize(o->backend, o->price, h) : st;
+    FMB_TRY(need_backend(o));
+    FMB_TRY(take_cost(o, cost));
+    return fmb_backend_maximize(o->backend, o->price, h);
 }
 
 static fmb_status certify_approach(fmb_oracle *o, const fmb_hint *h, fmb_pivot_walk_end *end)
 {
     uint64_t pivots = o->run->stats.pivots;
     *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
-    fmb_status st = fmb_vertex_set(&o->v, o->hint);
-    if (st == FMB_OK && h->kind == FMB_HINT_UNBOUNDED)
-        st = fmb_pivot_walk_try_ray(&o->w, h->odd, o->cost.z, end);
-    if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
-        st = reach_feasible(o, end);
-    if (st == FMB_OK)
-        let_backend_follow(o, pivots, *end);
-    return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
+    FMB_TRY(fmb_vertex_set(&o->v, o->hint));
+    if (h->kind == FMB_HINT_UNBOUNDED)
+        FMB_TRY(fmb_pivot_walk_try_ray(&o->w, h->odd, o->cost.z, end));
+    if (*end == FMB_PIVOT_WALK_ITERATION_LIMIT)
+        FMB_TRY(reach_feasible(o, end));
+    let_backend_follow(o, pivots, *end);
+    return *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : FMB_OK;
 }
 
 fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_pivot_walk_end *end)
 {
     fmb_hint h;
-    fmb_status st = guess_optimum(o, cost, &h);
-    return st == FMB_OK ? certify_approach(o, &h, end) : st;
+    FMB_TRY(guess_optimum(o, cost, &h));
+    return certify_approach(o, &h, end);
 }
 
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
-    fmb_status st = climb_with_refinements(o, end);
-    return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
+    FMB_TRY(climb_with_refinements(o, end));
+    return *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : FMB_OK;
 }
 
 /* ---- a program that changes ------------------------------------------------------------------ */
@@ -332,8 +320,8 @@ fmb_status fmb_oracle_grow(fmb_oracle *o)
     o->feasible = false;
     if (!o->backend)
         return FMB_OK;
-    fmb_status st = fmb_vertex_grow(&o->v);
-    return st == FMB_OK ? fmb_backend_grow(o->backend) : st;
+    FMB_TRY(fmb_vertex_grow(&o->v));
+    return fmb_backend_grow(o->backend);
 }
 
 void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on)

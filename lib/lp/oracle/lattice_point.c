@@ -23,13 +23,12 @@
 /* The guess, rounded: to integers first. */
 static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
 {
-    fmb_status st = FMB_OK;
-    for (int fine = 0; st == FMB_OK && !*found && fine <= finest; fine += STRIDE) {
+    for (int fine = 0; !*found && fine <= finest; fine += STRIDE) {
         if (!fmb_backend_point(o->backend, fine, o->point.z, o->point_den))
             return FMB_OK;
-        st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, found);
+        FMB_TRY(fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, found));
     }
-    return st == FMB_OK ? fmb_integers_settle(&o->point, o->run->mem) : st;
+    return fmb_integers_settle(&o->point, o->run->mem);
 }
 
 /* Twice as far as the theorem asks for: doubles take rows for satisfied that are not quite. */

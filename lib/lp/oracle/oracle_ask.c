@@ -162,10 +162,8 @@ fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracl
                                bool *attained)
 {
     *attained = false;
-    fmb_status st = fmb_oracle_approach(o, cost, out);
-    if (st == FMB_OK && *out == FMB_ORACLE_OPTIMUM)
-        st = fmb_oracle_climb(o, out);
-    if (st == FMB_OK && *out == FMB_ORACLE_OPTIMUM)
-        st = fmb_oracle_attain(o, attained);
-    return st;
+    FMB_TRY(fmb_oracle_approach(o, cost, out));
+    if (*out == FMB_ORACLE_OPTIMUM)
+        FMB_TRY(fmb_oracle_climb(o, out));
+    return *out == FMB_ORACLE_OPTIMUM ? fmb_oracle_attain(o, attained) : FMB_OK;
 }

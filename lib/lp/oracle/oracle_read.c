@@ -12,10 +12,9 @@ static fmb_status set_ratio(const fmb_oracle *o, mpq_t to, const mpz_t num, cons
 
 static fmb_status set_ratios(const fmb_oracle *o, mpq_t *x, mpz_t *num, const mpz_t den)
 {
-    fmb_status st = FMB_OK;
-    for (size_t j = 0; st == FMB_OK && j < o->n; j++)
-        st = set_ratio(o, x[j], num[j], den);
-    return st;
+    for (size_t j = 0; j < o->n; j++)
+        FMB_TRY(set_ratio(o, x[j], num[j], den));
+    return FMB_OK;
 }
 
 fmb_status fmb_oracle_point(const fmb_oracle *o, mpq_t *x)
@@ -63,11 +62,10 @@ static fmb_status add_prices(const fmb_oracle *o, const mpz_t unit, int sign, fm
 
 static fmb_status add_interior_weights(const fmb_oracle *o, fmb_weights *w)
 {
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < o->interior_proof.size; k++)
-        st =
-            fmb_weights_add(w, o->interior_proof.index[k], o->interior_proof.value[k], o->run->mem);
-    return st;
+    for (size_t k = 0; k < o->interior_proof.size; k++)
+        FMB_TRY(fmb_weights_add(w, o->interior_proof.index[k], o->interior_proof.value[k],
+                                o->run->mem));
+    return FMB_OK;
 }
 
 fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w)
@@ -111,12 +109,10 @@ fmb_status fmb_oracle_conflict(fmb_oracle *o, fmb_weights *w)
     mpq_t one;
     if (o->has_interior_proof)
         return add_interior_weights(o, w);
-    fmb_status st = fmb_pivot_walk_price_conflict(&o->w);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_pivot_walk_price_conflict(&o->w));
     mpq_init(one);
     mpq_set_si(one, o->w.sign, 1);
-    st = fmb_weights_add(w, (uint32_t)o->w.odd, one, o->run->mem);
+    fmb_status st = fmb_weights_add(w, (uint32_t)o->w.odd, one, o->run->mem);
     mpq_clear(one);
     return st == FMB_OK ? add_prices(o, o->v.unit, -1, w) : st;
 }

@@ -8,8 +8,8 @@ fmb_status fmb_pivot_walk_init(fmb_pivot_walk *w, fmb_vertex *v)
 {
     *w = (fmb_pivot_walk){.v = v};
     mpz_inits(w->ray_den, w->ratio_num, w->ratio_den, w->num, w->den, NULL);
-    fmb_status st = fmb_integers_init(&w->cost, v->n, v->run->mem);
-    return st == FMB_OK ? fmb_integers_init(&w->ray, v->n, v->run->mem) : st;
+    FMB_TRY(fmb_integers_init(&w->cost, v->n, v->run->mem));
+    return fmb_integers_init(&w->ray, v->n, v->run->mem);
 }
 
 void fmb_pivot_walk_clear(fmb_pivot_walk *w)
@@ -101,9 +101,7 @@ fmb_status fmb_pivot_walk_try_conflict(fmb_pivot_walk *w, size_t odd, fmb_pivot_
     if (row->off || fmb_vertex_holds(w->v, odd))
         return FMB_OK;
     for (int sign = 1; sign >= (row->rel == FMB_EQ ? -1 : 1); sign -= 2) {
-        fmb_status st = price_row(w, odd, sign);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(price_row(w, odd, sign));
         if (find_place_to_leave(w->v, -1, true) != SIZE_MAX || sign_of_remainder(w, odd, sign) >= 0)
             continue;
         note_conflict(w, odd, sign, end);
@@ -123,9 +121,7 @@ fmb_status fmb_pivot_walk_price_conflict(fmb_pivot_walk *w)
 static fmb_status make_row_hold(fmb_pivot_walk *w, size_t row, int sign, bool least,
                                 fmb_pivot_walk_end *end)
 {
-    fmb_status st = price_row(w, row, sign);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(price_row(w, row, sign));
     size_t r = find_place_to_leave(w->v, -1, least);
     if (r != SIZE_MAX)
         return fmb_vertex_replace(w->v, r, row);
@@ -141,19 +137,15 @@ fmb_status fmb_pivot_walk_to_feasible(fmb_pivot_walk *w, size_t steps, fmb_pivot
         size_t row;
         int sign;
         bool least = k > PATIENCE(v);
-        fmb_status st = fmb_run_poll_now(v->run);
-        if (st == FMB_OK)
-            st = fmb_vertex_solve(v);
-        if (st == FMB_OK)
-            st = fmb_vertex_find_violated(v, least, &row, &sign);
-        if (st != FMB_OK || row == SIZE_MAX)
-            return st;
+        FMB_TRY(fmb_run_poll_now(v->run));
+        FMB_TRY(fmb_vertex_solve(v));
+        FMB_TRY(fmb_vertex_find_violated(v, least, &row, &sign));
+        if (row == SIZE_MAX)
+            return FMB_OK;
         if (steps > 0 && k >= steps)
             *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
         else
-            st = make_row_hold(w, row, sign, least, end);
-        if (st != FMB_OK)
-            return st;
+            FMB_TRY(make_row_hold(w, row, sign, least, end));
     }
     return FMB_OK;
 }
@@ -198,15 +190,11 @@ static fmb_status find_blocking_row(fmb_pivot_walk *w, size_t *block)
     for (size_t i = 0; i < v->m; i++) {
         if (v->p->row[i].off || fmb_vertex_holds(v, i))
             continue;
-        fmb_status st = fmb_run_poll(v->run);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_run_poll(v->run));
         int slope = slope_of_row(w, i);
         fmb_run_count(v->run, v->p->row[i].size * (20 + 2 * mpz_size(w->ray_den)) +
                                   fmb_limbs_work(mpz_size(w->ray_den)));
-        st = fmb_run_poll_long(v->run, w->num);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_run_poll_long(v->run, w->num));
         if (slope == 0 || (slope < 0 && v->p->row[i].rel != FMB_EQ))
             continue;
         if (blocks_sooner(w, i, *block != SIZE_MAX))
@@ -219,24 +207,22 @@ static fmb_status find_blocking_row(fmb_pivot_walk *w, size_t *block)
 static fmb_status leave_place(fmb_pivot_walk *w, size_t r, size_t *block)
 {
     fmb_vertex *v = w->v;
-    fmb_status st = fmb_vertex_leave(v, r, mpz_sgn(v->y.z[r]) < 0, &w->ray, w->ray_den);
-    return st == FMB_OK ? find_blocking_row(w, block) : st;
+    FMB_TRY(fmb_vertex_leave(v, r, mpz_sgn(v->y.z[r]) < 0, &w->ray, w->ray_den));
+    return find_blocking_row(w, block);
 }
 
 fmb_status fmb_pivot_walk_try_ray(fmb_pivot_walk *w, size_t r, mpz_t *cost, fmb_pivot_walk_end *end)
 {
     size_t block;
     *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
-    fmb_status st = fmb_vertex_price(w->v, cost);
-    if (st != FMB_OK || fmb_pivot_walk_is_price_allowed(w->v, r, 1) ||
-        fmb_vertex_is_equality(w->v, r))
-        return st;
-    st = fmb_vertex_solve(w->v);
-    if (st == FMB_OK)
-        st = leave_place(w, r, &block);
-    if (st == FMB_OK && block == SIZE_MAX)
+    FMB_TRY(fmb_vertex_price(w->v, cost));
+    if (fmb_pivot_walk_is_price_allowed(w->v, r, 1) || fmb_vertex_is_equality(w->v, r))
+        return FMB_OK;
+    FMB_TRY(fmb_vertex_solve(w->v));
+    FMB_TRY(leave_place(w, r, &block));
+    if (block == SIZE_MAX)
         *end = FMB_PIVOT_WALK_RAY;
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_pivot_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cost,

@@ -79,8 +79,8 @@ static fmb_status open_refinement(refinement *t, const fmb_vertex *v, size_t odd
     if (!t->place || !t->column || !t->at || !t->exponent || !t->matrix || !t->inverse || !t->c ||
         !t->y || !t->rest || !t->reach || !t->is_nonzero)
         return fmb_mem_status(mem);
-    fmb_status st = fmb_integers_init(&t->multiplier, n, mem);
-    return st == FMB_OK ? fmb_integers_init(&t->left, n, mem) : st;
+    FMB_TRY(fmb_integers_init(&t->multiplier, n, mem));
+    return fmb_integers_init(&t->left, n, mem);
 }
 
 static void close_refinement(refinement *t)

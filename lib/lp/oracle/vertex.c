@@ -12,15 +12,10 @@ fmb_status fmb_vertex_init(fmb_vertex *v, fmb_run *run, const fmb_program *p)
     mpz_inits(v->den, v->unit, v->sum, NULL);
     mpz_set_ui(v->den, 1);
     mpz_set_ui(v->unit, 1);
-    fmb_status st = fmb_factor_new(run, p, &v->factor);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&v->x, n, mem);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&v->y, n, mem);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&v->right, n, mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_factor_new(run, p, &v->factor));
+    FMB_TRY(fmb_integers_init(&v->x, n, mem));
+    FMB_TRY(fmb_integers_init(&v->y, n, mem));
+    FMB_TRY(fmb_integers_init(&v->right, n, mem));
     v->basis = fmb_mem_get(mem, n, sizeof *v->basis);
     v->roughly = fmb_mem_get(mem, n, sizeof *v->roughly);
     v->is_basic = fmb_mem_zero(mem, n + p->m, sizeof *v->is_basic);
@@ -44,10 +39,10 @@ void fmb_vertex_clear(fmb_vertex *v)
 fmb_status fmb_vertex_grow(fmb_vertex *v)
 {
     size_t marks = v->n + v->p->m, more = v->p->m - v->m;
-    fmb_status st =
-        fmb_mem_reserve(v->run->mem, (void **)&v->is_basic, &v->marks, marks, sizeof *v->is_basic);
-    if (st != FMB_OK || more == 0)
-        return st;
+    FMB_TRY(
+        fmb_mem_reserve(v->run->mem, (void **)&v->is_basic, &v->marks, marks, sizeof *v->is_basic));
+    if (more == 0)
+        return FMB_OK;
     memset(v->is_basic + v->n + v->m, 0, more * sizeof *v->is_basic);
     for (size_t r = 0; v->set && r < v->n; r++)
         if (fmb_vertex_is_unit(v, r))
@@ -120,11 +115,8 @@ fmb_status fmb_vertex_solve(fmb_vertex *v)
         else
             fmb_program_get(v->p, v->basis[r], v->p->row[v->basis[r]].size, v->right.z[r]);
     }
-    fmb_status st = fmb_factor_solve(v->factor, v->right.z, v->x.z, v->den);
-    if (st == FMB_OK)
-        st = fmb_integers_settle(&v->x, v->run->mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_factor_solve(v->factor, v->right.z, v->x.z, v->den));
+    FMB_TRY(fmb_integers_settle(&v->x, v->run->mem));
     for (size_t j = 0; j < v->n; j++)
         v->roughly[j] = ratio_as_double(v->x.z[j], v->den);
     v->solved = true;
@@ -133,16 +125,16 @@ fmb_status fmb_vertex_solve(fmb_vertex *v)
 
 fmb_status fmb_vertex_price(fmb_vertex *v, mpz_t *cost)
 {
-    fmb_status st = fmb_factor_solve_transposed(v->factor, cost, v->y.z, v->unit);
-    return st == FMB_OK ? fmb_integers_settle(&v->y, v->run->mem) : st;
+    FMB_TRY(fmb_factor_solve_transposed(v->factor, cost, v->y.z, v->unit));
+    return fmb_integers_settle(&v->y, v->run->mem);
 }
 
 fmb_status fmb_vertex_leave(fmb_vertex *v, size_t r, bool falls, fmb_integers *d, mpz_t den)
 {
     for (size_t k = 0; k < v->n; k++)
         mpz_set_si(v->right.z[k], k != r ? 0 : falls ? -1 : 1);
-    fmb_status st = fmb_factor_solve(v->factor, v->right.z, d->z, den);
-    return st == FMB_OK ? fmb_integers_settle(d, v->run->mem) : st;
+    FMB_TRY(fmb_factor_solve(v->factor, v->right.z, d->z, den));
+    return fmb_integers_settle(d, v->run->mem);
 }
 
 double fmb_vertex_rough_price(const fmb_vertex *v, size_t r)
@@ -211,14 +203,10 @@ fmb_status fmb_vertex_find_violated(fmb_vertex *v, bool first, size_t *row, int 
     for (size_t i = 0; i < v->m && !v->feasible; i++) {
         if (v->p->row[i].off || fmb_vertex_holds(v, i))
             continue;
-        fmb_status st = fmb_run_poll(v->run);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_run_poll(v->run));
         int s = violation_sign(v, i, &depth);
         fmb_run_count(v->run, 10 + 2 * v->p->row[i].size);
-        st = fmb_run_poll_long(v->run, v->sum);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_run_poll_long(v->run, v->sum));
         if (s == 0 || depth <= most)
             continue;
         *row = i;
@@ -259,11 +247,10 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
                                 bool *holds)
 {
     bool whole = mpz_cmp_ui(den, 1) == 0;
-    fmb_status st = FMB_OK;
     *holds = true;
     for (size_t j = 0; j < v->n; j++)
         roughly[j] = ratio_as_double(x[j], den);
-    for (size_t i = 0; st == FMB_OK && i < v->p->m && *holds; i++) {
+    for (size_t i = 0; i < v->p->m && *holds; i++) {
         bool sure;
         fmb_rel rel = v->p->row[i].rel;
         if (v->p->row[i].off)
@@ -272,7 +259,7 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
         fmb_run_count(v->run, 10 + 2 * v->p->row[i].size);
         int sign = sure ? (slack > 0) - (slack < 0) : slack_sign_at(v, i, x, den);
         *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT ? sign > 0 : sign >= 0;
-        st = fmb_run_poll_step(v->run, mpz_size(v->sum) >= FMB_LONG_LIMBS);
+        FMB_TRY(fmb_run_poll_step(v->run, mpz_size(v->sum) >= FMB_LONG_LIMBS));
     }
-    return st;
+    return FMB_OK;
 }

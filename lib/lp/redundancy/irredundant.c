@@ -82,14 +82,11 @@ static fmb_status open_pruner(pruner *p)
     p->equality = fmb_mem_get(mem, p->m, sizeof *p->equality);
     p->term = fmb_mem_get(mem, p->m, sizeof *p->term);
     p->is_nonzero = fmb_mem_zero(mem, p->n, sizeof *p->is_nonzero);
-    fmb_status st = p->equality && p->term && p->is_nonzero ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&p->point, p->n, mem);
-    if (st == FMB_OK)
-        st = fmb_rationals_new(&p->inner, p->n, mem);
-    if (st == FMB_OK)
-        st = fmb_rationals_new(&p->x, p->n, mem);
-    return st == FMB_OK ? load_all_rows(p) : st;
+    FMB_TRY(p->equality && p->term && p->is_nonzero ? FMB_OK : fmb_mem_status(mem));
+    FMB_TRY(fmb_integers_init(&p->point, p->n, mem));
+    FMB_TRY(fmb_rationals_new(&p->inner, p->n, mem));
+    FMB_TRY(fmb_rationals_new(&p->x, p->n, mem));
+    return load_all_rows(p);
 }
 
 /* ---- forms ----------------------------------------------------------------------------------- */
@@ -208,21 +205,19 @@ static fmb_status lock_row(pruner *p, size_t i, bool *depends)
 static fmb_status lock_or_drop_row(pruner *p, size_t i, fmb_fate fate)
 {
     bool depends;
-    fmb_status st = lock_row(p, i, &depends);
-    if (st == FMB_OK && depends)
+    FMB_TRY(lock_row(p, i, &depends));
+    if (depends)
         return drop_row_with_weights(p, p->over_equal, i, p->equality);
-    if (st == FMB_OK)
-        p->fate[i] = fate;
-    return st;
+    p->fate[i] = fate;
+    return FMB_OK;
 }
 
 static fmb_status lock_equalities(pruner *p)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
+    for (size_t i = 0; i < p->m; i++)
         if (p->row[i].rel == FMB_EQ && p->fate[i] != FMB_FATE_REDUNDANT)
-            st = lock_or_drop_row(p, i, FMB_FATE_KEPT);
-    return st;
+            FMB_TRY(lock_or_drop_row(p, i, FMB_FATE_KEPT));
+    return FMB_OK;
 }
 
 /* May row i always be tight, as far as is known? */
@@ -270,9 +265,9 @@ static fmb_status turn_row_into_equality(pruner *p, const fmb_weights *y, size_t
     leave_out_row(p, i);
     p->all.row[i].rel = FMB_EQ;
     take_in_row(p, i);
-    fmb_status st = lock_row(p, i, &depends);
-    if (st != FMB_OK || depends)
-        return st;
+    FMB_TRY(lock_row(p, i, &depends));
+    if (depends)
+        return FMB_OK;
     p->fate[i] = FMB_FATE_EQUALITY;
     return tell_of_equality(p, y, at);
 }
@@ -365,9 +360,7 @@ static fmb_status keep_tested_row(pruner *p, size_t i, bool beyond)
     p->fate[i] = FMB_FATE_KEPT;
     if (!p->told || !p->told->irredundant)
         return FMB_OK;
-    fmb_status st = fmb_oracle_point(p->over_all, p->x);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_oracle_point(p->over_all, p->x));
     if (beyond && p->all.any_strict)
         go_half_way_to_inner(p, i);
     return p->told->irredundant(p->told->self, i, p->x);
@@ -377,17 +370,14 @@ static fmb_status test_row(pruner *p, size_t i)
 {
     int excess = 0;
     bool attained = false;
-    fmb_status st = move_right_side(p, i, 1);
-    if (st == FMB_OK)
-        st = push_row(p, i, &excess);
-    if (st == FMB_OK && excess == 0 && p->row[i].rel == FMB_LT)
-        st = fmb_oracle_attain(p->over_all, &attained);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(move_right_side(p, i, 1));
+    FMB_TRY(push_row(p, i, &excess));
+    if (excess == 0 && p->row[i].rel == FMB_LT)
+        FMB_TRY(fmb_oracle_attain(p->over_all, &attained));
     if (excess < 0 || (excess == 0 && !attained))
         return drop_row_with_weights(p, p->over_all, i, NULL);
-    st = keep_tested_row(p, i, excess > 0);
-    return st == FMB_OK ? move_right_side(p, i, 0) : st;
+    FMB_TRY(keep_tested_row(p, i, excess > 0));
+    return move_right_side(p, i, 0);
 }
 
 /* To begin anew costs what was done until here: at least as much is done in each slice. */
@@ -398,26 +388,24 @@ static bool is_slice_spent(const pruner *p, uint64_t begun, uint64_t ready)
 
 static fmb_status test_undecided_rows(pruner *p, uint64_t begun)
 {
-    fmb_status st = FMB_OK;
     uint64_t ready = p->run->work;
-    for (size_t i = p->m; st == FMB_OK && i-- > 0 && !is_slice_spent(p, begun, ready);)
+    for (size_t i = p->m; i-- > 0 && !is_slice_spent(p, begun, ready);)
         if (p->fate[i] == FMB_FATE_UNKNOWN)
-            st = test_row(p, i);
-    return st;
+            FMB_TRY(test_row(p, i));
+    return FMB_OK;
 }
 
 static fmb_status prune_in_passes(pruner *p)
 {
     uint64_t begun = p->run->work;
-    fmb_status st = fmb_oracle_feasible(p->over_all, p->feasible);
-    if (st != FMB_OK || !*p->feasible)
-        return st;
-    st = fmb_oracle_point(p->over_all, p->inner);
-    if (st == FMB_OK)
-        st = lock_equalities(p);
-    if (st == FMB_OK && !p->as_given)
-        st = find_implicit_equalities(p);
-    return st == FMB_OK ? test_undecided_rows(p, begun) : st;
+    FMB_TRY(fmb_oracle_feasible(p->over_all, p->feasible));
+    if (!*p->feasible)
+        return FMB_OK;
+    FMB_TRY(fmb_oracle_point(p->over_all, p->inner));
+    FMB_TRY(lock_equalities(p));
+    if (!p->as_given)
+        FMB_TRY(find_implicit_equalities(p));
+    return test_undecided_rows(p, begun);
 }
 
 static fmb_status prune(pruner p)

@@ -28,18 +28,17 @@ static uint64_t scale_of_small(const fmb_vec *v, size_t n)
 static fmb_status scale_of_any(const parallel_table *s, size_t i, mpz_t g)
 {
     const fmb_vec *v = s->row[i].v;
-    fmb_status st = FMB_OK;
     fmb_integer_set_u64(g, v->z ? 0 : s->scale[i]);
-    for (size_t j = 0; st == FMB_OK && v->z && j < s->n && mpz_cmp_ui(g, 1) != 0; j++)
-        st = fmb_long_gcd(g, g, v->z[j], &s->poll);
-    return st;
+    for (size_t j = 0; v->z && j < s->n && mpz_cmp_ui(g, 1) != 0; j++)
+        FMB_TRY(fmb_long_gcd(g, g, v->z[j], &s->poll));
+    return FMB_OK;
 }
 
 /* Rows i and k come to hand. */
 static fmb_status load_scales(parallel_table *s, size_t i, size_t k)
 {
-    fmb_status st = scale_of_any(s, i, s->scale_a);
-    return st == FMB_OK ? scale_of_any(s, k, s->scale_b) : st;
+    FMB_TRY(scale_of_any(s, i, s->scale_a));
+    return scale_of_any(s, k, s->scale_b);
 }
 
 static uint64_t stir_word(uint64_t h, uint64_t low, bool negative)
@@ -146,16 +145,14 @@ static fmb_status meet_parallel(parallel_table *s, size_t i, size_t *slot, fmb_f
 /* Where row i belongs: in a free slot, or the one of a parallel row; then both are at hand. */
 static fmb_status find_parallel_slot(parallel_table *s, size_t i, size_t **slot)
 {
-    fmb_status st = scale_of_any(s, i, s->scale_a);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(scale_of_any(s, i, s->scale_a));
     for (size_t at = (size_t)hash_direction(s, i);; at++) {
         *slot = &s->slot[at & (s->size - 1)];
         if (**slot == SIZE_MAX)
             return FMB_OK;
-        st = load_scales(s, i, **slot);
-        if (st != FMB_OK || are_parallel(s, i, **slot))
-            return st;
+        FMB_TRY(load_scales(s, i, **slot));
+        if (are_parallel(s, i, **slot))
+            return FMB_OK;
     }
 }
 

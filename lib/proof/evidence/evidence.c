@@ -51,9 +51,7 @@ fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse_vector *list, size_t in
 {
     if (mpq_sgn(value) == 0)
         return FMB_OK;
-    fmb_status st = list->size == list->capacity ? grow_list(&e->mem, list) : FMB_OK;
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(list->size == list->capacity ? grow_list(&e->mem, list) : FMB_OK);
     if (!fmb_mem_charge(&e->mem, limb_bytes(value)))
         return fmb_mem_status(&e->mem);
     list->mixed = list->mixed || (list->size > 0 && list->index[list->size - 1] > index);
@@ -66,10 +64,9 @@ fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse_vector *list, size_t in
 fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse_vector *list, size_t n, const int *at,
                                  mpq_t *x)
 {
-    fmb_status st = FMB_OK;
-    for (size_t j = 0; st == FMB_OK && j < n; j++)
-        st = fmb_evidence_push(e, list, at ? (size_t)at[j] : j, x[j]);
-    return st;
+    for (size_t j = 0; j < n; j++)
+        FMB_TRY(fmb_evidence_push(e, list, at ? (size_t)at[j] : j, x[j]));
+    return FMB_OK;
 }
 
 fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse_vector *list, const mpq_t factor)
@@ -152,12 +149,9 @@ static fmb_status weigh_last_value(fmb_evidence *e)
 
 fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **out)
 {
-    fmb_status st = weigh_last_value(e);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(&e->mem, (void **)&e->claim, &e->claim_capacity, e->claims + 1,
-                             sizeof *e->claim);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(weigh_last_value(e));
+    FMB_TRY(fmb_mem_reserve(&e->mem, (void **)&e->claim, &e->claim_capacity, e->claims + 1,
+                            sizeof *e->claim));
     fmb_claim *c = &e->claim[e->claims++];
     *c = (fmb_claim){.kind = kind, .row = SIZE_MAX, .var = -1};
     mpq_init(c->value);

@@ -41,32 +41,28 @@ static fmb_status find_variable(reader *r, int *out)
 
 static fmb_status read_variable(reader *r, int *out)
 {
-    fmb_status st = fmb_words_next(&r->words);
-    return st == FMB_OK ? find_variable(r, out) : st;
+    FMB_TRY(fmb_words_next(&r->words));
+    return find_variable(r, out);
 }
 
 static fmb_status read_row(reader *r, size_t *out)
 {
     size_t number = 1;
-    fmb_status st = fmb_words_next(&r->words);
-    if (st == FMB_OK)
-        st = fmb_words_count(&r->words, "a row", r->e->rows, &number);
-    if (st == FMB_OK)
-        *out = number - 1;
-    return st;
+    FMB_TRY(fmb_words_next(&r->words));
+    FMB_TRY(fmb_words_count(&r->words, "a row", r->e->rows, &number));
+    *out = number - 1;
+    return FMB_OK;
 }
 
 static fmb_status read_number(reader *r, mpq_t out)
 {
-    fmb_status st = fmb_words_next(&r->words);
-    return st == FMB_OK ? fmb_words_rational(&r->words, out) : st;
+    FMB_TRY(fmb_words_next(&r->words));
+    return fmb_words_rational(&r->words, out);
 }
 
 static fmb_status read_side(reader *r, fmb_side *out)
 {
-    fmb_status st = fmb_words_next(&r->words);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_words_next(&r->words));
     bool upper = fmb_words_is(&r->words, "upper");
     if (!upper && !fmb_words_is(&r->words, "lower"))
         return fmb_words_expected(&r->words, "'lower' or 'upper'");
@@ -86,9 +82,7 @@ static int relation_of_word(const reader *r, fmb_side side, int n)
 /* One of the first n relations <=, <, =, as that end of an interval spells them. */
 static fmb_status read_relation(reader *r, fmb_side side, int n, fmb_rel *out)
 {
-    fmb_status st = fmb_words_next(&r->words);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_words_next(&r->words));
     int rel = relation_of_word(r, side, n);
     if (rel >= 0) {
         *out = (fmb_rel)rel;
@@ -104,8 +98,8 @@ static fmb_status read_relation(reader *r, fmb_side side, int n, fmb_rel *out)
 /* "[VARIABLE]" */
 static fmb_status read_end_heading(reader *r, fmb_claim *c)
 {
-    fmb_status st = fmb_words_next(&r->words);
-    return st == FMB_OK && r->words.size > 0 ? find_variable(r, &c->var) : st;
+    FMB_TRY(fmb_words_next(&r->words));
+    return r->words.size > 0 ? find_variable(r, &c->var) : FMB_OK;
 }
 
 /* "[VARIABLE] REL VALUE". A variable may be called like a relation: then another one follows. */
@@ -205,22 +199,18 @@ static fmb_status read_key(reader *r, fmb_claim *c, fmb_form_part part, size_t *
     int var = 0;
     if (by == FMB_KEY_CLAIM)
         return read_claim_number(r, fmb_form_list(c, part), out);
-    fmb_status st = by == FMB_KEY_ROW ? read_row(r, out) : read_variable(r, &var);
-    if (st == FMB_OK && by == FMB_KEY_VARIABLE)
+    FMB_TRY(by == FMB_KEY_ROW ? read_row(r, out) : read_variable(r, &var));
+    if (by == FMB_KEY_VARIABLE)
         *out = (size_t)var;
-    return st == FMB_OK ? mark_key(r, part, *out) : st;
+    return mark_key(r, part, *out);
 }
 
 static fmb_status read_part(reader *r, fmb_claim *c, fmb_form_part part)
 {
     size_t key = 0;
-    fmb_status st = read_key(r, c, part, &key);
-    if (st == FMB_OK)
-        st = read_number(r, r->number);
-    if (st == FMB_OK)
-        st = fmb_words_end(&r->words);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(read_key(r, c, part, &key));
+    FMB_TRY(read_number(r, r->number));
+    FMB_TRY(fmb_words_end(&r->words));
     return fmb_evidence_push(r->e, fmb_form_list(c, part), key, r->number);
 }
 
@@ -270,16 +260,13 @@ static fmb_claim_kind find_kind(const reader *r)
 static fmb_status read_claim(reader *r)
 {
     fmb_claim *c = NULL;
-    fmb_status st = fmb_words_next(&r->words);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_words_next(&r->words));
     fmb_claim_kind kind = find_kind(r);
     if (kind == FMB_CLAIM_NONE)
         return fmb_words_expected(&r->words, "a kind of claim, such as 'feasible' or 'bound'");
-    st = fmb_evidence_claim(r->e, kind, &c);
-    if (st == FMB_OK)
-        st = read_heading(r, c);
-    return st == FMB_OK ? read_parts(r, c) : st;
+    FMB_TRY(fmb_evidence_claim(r->e, kind, &c));
+    FMB_TRY(read_heading(r, c));
+    return read_parts(r, c);
 }
 
 /* ---- the whole text -------------------------------------------------------------------------- */
@@ -292,22 +279,18 @@ static fmb_status read_shape(reader *r)
     snprintf(text[1], sizeof text[1], "%zu", dim);
     const char *words[] = {text[0], "rows", text[1], "variables"};
     for (int i = 0; i < 4; i++) {
-        fmb_status st = fmb_words_next(&r->words);
-        if (st == FMB_OK && !fmb_words_is(&r->words, words[i]))
-            st = fmb_words_expected(&r->words, "'system %zu rows %zu variables', as the system has",
-                                    rows, dim);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_words_next(&r->words));
+        if (!fmb_words_is(&r->words, words[i]))
+            FMB_TRY(fmb_words_expected(
+                &r->words, "'system %zu rows %zu variables', as the system has", rows, dim));
     }
     return fmb_words_end(&r->words);
 }
 
 static fmb_status read_line_keyword(reader *r, const char *word)
 {
-    fmb_status st = fmb_words_line(&r->words);
-    return st == FMB_OK && !fmb_words_is(&r->words, word)
-               ? fmb_words_expected(&r->words, "'%s'", word)
-               : st;
+    FMB_TRY(fmb_words_line(&r->words));
+    return !fmb_words_is(&r->words, word) ? fmb_words_expected(&r->words, "'%s'", word) : FMB_OK;
 }
 
 /* "claims 12", behind the last claim. */
@@ -315,25 +298,22 @@ static fmb_status read_count(reader *r)
 {
     char count[24];
     snprintf(count, sizeof count, "%zu", r->e->claims);
-    fmb_status st = fmb_words_next(&r->words);
-    if (st == FMB_OK && !fmb_words_is(&r->words, count))
-        st = fmb_words_expected(&r->words, "'claims %s', as there are", count);
-    if (st == FMB_OK)
-        st = fmb_words_end(&r->words);
-    if (st == FMB_OK)
-        st = fmb_words_line(&r->words);
-    return st == FMB_OK && r->words.size > 0 ? fmb_words_expected(&r->words, "the end of the text")
-                                             : st;
+    FMB_TRY(fmb_words_next(&r->words));
+    if (!fmb_words_is(&r->words, count))
+        FMB_TRY(fmb_words_expected(&r->words, "'claims %s', as there are", count));
+    FMB_TRY(fmb_words_end(&r->words));
+    FMB_TRY(fmb_words_line(&r->words));
+    return r->words.size > 0 ? fmb_words_expected(&r->words, "the end of the text") : FMB_OK;
 }
 
 /* All that versions 2 to 4 can say means the same now. */
 static fmb_status read_version(reader *r)
 {
-    fmb_status st = fmb_words_next(&r->words);
-    if (st == FMB_OK && !fmb_words_is(&r->words, "2") && !fmb_words_is(&r->words, "3") &&
+    FMB_TRY(fmb_words_next(&r->words));
+    if (!fmb_words_is(&r->words, "2") && !fmb_words_is(&r->words, "3") &&
         !fmb_words_is(&r->words, "4") && !fmb_words_is(&r->words, "5"))
-        st = fmb_words_expected(&r->words, "'5', '4', '3' or '2'");
-    return st;
+        FMB_TRY(fmb_words_expected(&r->words, "'5', '4', '3' or '2'"));
+    return FMB_OK;
 }
 
 static fmb_status read_text(reader *r)
@@ -384,10 +364,8 @@ fmb_status fmb_evidence_read_within(FILE *in, const fmb_system *s, const fmb_pat
     reader r = {.s = s};
     if (!in || !s || !out || !stop)
         return FMB_ERR_ARG;
-    fmb_status st = fmb_evidence_new(fmb_system_dim(s), fmb_system_rows(s), &s->mem.alloc, &r.e);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_guard_begin(&guard, patience, &r.e->mem);
+    FMB_TRY(fmb_evidence_new(fmb_system_dim(s), fmb_system_rows(s), &s->mem.alloc, &r.e));
+    fmb_status st = fmb_guard_begin(&guard, patience, &r.e->mem);
     const fmb_poll poll = fmb_guard_poll(&guard);
     if (st == FMB_OK)
         st = read_into(&r, in, &poll, where ? where : &unwanted);

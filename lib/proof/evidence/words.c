@@ -57,9 +57,7 @@ static fmb_status append(fmb_words *w, int byte)
 {
     if (w->size == FMB_PROOF_WORD_MAX)
         return fmb_words_expected(w, "a word of at most %zu bytes", FMB_PROOF_WORD_MAX);
-    fmb_status st = fmb_mem_reserve(w->mem, (void **)&w->text, &w->capacity, w->size + 2, 1);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(w->mem, (void **)&w->text, &w->capacity, w->size + 2, 1));
     w->text[w->size++] = (char)byte;
     w->text[w->size] = '\0';
     return FMB_OK;
@@ -111,9 +109,7 @@ static fmb_status read_quoted(fmb_words *w)
         if (is_control(w->next))
             return expected_here(w, "a closing '\"'");
         int byte = take(w);
-        fmb_status st = byte == '\\' ? read_escape(w) : append(w, byte);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(byte == '\\' ? read_escape(w) : append(w, byte));
     }
     take(w);
     return w->size > 0 ? FMB_OK : fmb_words_expected(w, "a name that is not empty");
@@ -121,11 +117,8 @@ static fmb_status read_quoted(fmb_words *w)
 
 static fmb_status read_bare(fmb_words *w)
 {
-    while (w->next != EOF && fmb_words_is_bare((unsigned char)w->next)) {
-        fmb_status st = append(w, take(w));
-        if (st != FMB_OK)
-            return st;
-    }
+    while (w->next != EOF && fmb_words_is_bare((unsigned char)w->next))
+        FMB_TRY(append(w, take(w)));
     return w->size > 0 ? FMB_OK : expected_here(w, "a word");
 }
 
@@ -150,16 +143,14 @@ fmb_status fmb_words_next(fmb_words *w)
     w->column = w->at;
     w->quoted = false;
     w->size = 0;
-    fmb_status st = fmb_mem_reserve(w->mem, (void **)&w->text, &w->capacity, 1, 1);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(w->mem, (void **)&w->text, &w->capacity, 1, 1));
     w->text[0] = '\0';
     if (!ends_line(w->next)) {
-        st = w->next == '"' ? read_quoted(w) : read_bare(w);
-        if (st == FMB_OK && !is_blank(w->next) && !ends_line(w->next))
-            st = expected_here(w, "a blank");
+        FMB_TRY(w->next == '"' ? read_quoted(w) : read_bare(w));
+        if (!is_blank(w->next) && !ends_line(w->next))
+            FMB_TRY(expected_here(w, "a blank"));
     }
-    return st == FMB_OK && ferror(w->in) ? FMB_ERR_IO : st;
+    return ferror(w->in) ? FMB_ERR_IO : FMB_OK;
 }
 
 fmb_status fmb_words_line(fmb_words *w)
@@ -175,8 +166,8 @@ fmb_status fmb_words_line(fmb_words *w)
 
 fmb_status fmb_words_end(fmb_words *w)
 {
-    fmb_status st = fmb_words_next(w);
-    return st == FMB_OK && w->size > 0 ? fmb_words_expected(w, "the end of the line") : st;
+    FMB_TRY(fmb_words_next(w));
+    return w->size > 0 ? fmb_words_expected(w, "the end of the line") : FMB_OK;
 }
 
 bool fmb_words_is(const fmb_words *w, const char *word)

@@ -15,10 +15,8 @@ static fmb_status push_end_by_oracle(fmb_bound_job *j, int part)
     fmb_found_end f;
     fmb_mem *mem = j->q->run.mem;
     size_t n = (size_t)j->p->n;
-    fmb_status st = fmb_query_feasible_oracle(j->q, part, &o);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_found_end_init(&f, n, j->q->claims != NULL, mem);
+    FMB_TRY(fmb_query_feasible_oracle(j->q, part, &o));
+    fmb_status st = fmb_found_end_init(&f, n, j->q->claims != NULL, mem);
     if (st == FMB_OK)
         st = fmb_find_end(o, j->column, j->sign, mem, &f);
     if (st == FMB_OK)

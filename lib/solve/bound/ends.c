@@ -56,22 +56,18 @@ static void lend_point(fmb_bound_job *j, fmb_found_end *f)
 
 fmb_status fmb_note_end(fmb_bound_job *j, fmb_found_end *f)
 {
-    fmb_status st = FMB_OK;
     lend_point(j, f);
     if (f->end == FMB_ORACLE_UNBOUNDED) {
-        st = fmb_bound_claim_unbounded(j);
-        if (st == FMB_OK)
-            j->end->kind = FMB_END_INFINITE;
-        return st;
+        FMB_TRY(fmb_bound_claim_unbounded(j));
+        j->end->kind = FMB_END_INFINITE;
+        return FMB_OK;
     }
     mpq_set(j->end->value, f->value);
     j->end->attained = f->attained;
     if (j->q->claims) {
-        st = fmb_query_take_oracle_weights(j->q, j->p, &f->w);
-        if (st == FMB_OK)
-            st = fmb_bound_claim(j, &f->w);
+        FMB_TRY(fmb_query_take_oracle_weights(j->q, j->p, &f->w));
+        FMB_TRY(fmb_bound_claim(j, &f->w));
     }
-    if (st == FMB_OK)
-        j->end->kind = FMB_END_FINITE;
-    return st;
+    j->end->kind = FMB_END_FINITE;
+    return FMB_OK;
 }

@@ -42,40 +42,35 @@ static fmb_status claim_end_of_row(fmb_bound_job *j, const fmb_elim *e, uint32_t
 /* The end is in row, which names no other variable; FMB_NO_ROW: it is infinite. */
 static fmb_status set_end_from_row(fmb_bound_job *j, const fmb_elim *e, uint32_t row)
 {
-    fmb_status st = FMB_OK;
     if (row != FMB_NO_ROW) {
         fmb_end_of_row(&e->row[row].v, e->n, j->column, j->end->value);
         j->end->attained = !e->row[row].strict;
-        st = j->q->claims ? claim_end_of_row(j, e, row) : FMB_OK;
+        FMB_TRY(j->q->claims ? claim_end_of_row(j, e, row) : FMB_OK);
     } else if (j->q->claims) {
         mpq_set_si(j->q->x[j->column], j->sign, 1);
-        st = fmb_elim_point(e, FMB_POINT_RAY, j->q->x);
-        if (st == FMB_OK)
-            st = fmb_bound_claim_unbounded(j);
+        FMB_TRY(fmb_elim_point(e, FMB_POINT_RAY, j->q->x));
+        FMB_TRY(fmb_bound_claim_unbounded(j));
     }
-    if (st == FMB_OK)
-        j->end->kind = row != FMB_NO_ROW ? FMB_END_FINITE : FMB_END_INFINITE;
-    return st;
+    j->end->kind = row != FMB_NO_ROW ? FMB_END_FINITE : FMB_END_INFINITE;
+    return FMB_OK;
 }
 
 /* Both ends of a variable. plane: one more is left; NULL: none is. */
 static fmb_status read_both_ends(fmb_bound_job *j, fmb_elim *e, fmb_plane *plane,
                                  fmb_exact_side *side)
 {
-    fmb_status st = FMB_OK;
-    for (int k = FMB_LOWER; st == FMB_OK && k <= FMB_UPPER; k++) {
+    for (int k = FMB_LOWER; k <= FMB_UPPER; k++) {
         uint32_t row;
         j->side = (fmb_side)k;
         j->sign = k == FMB_LOWER ? -1 : 1;
         j->end = &side[k];
         if (plane)
-            st = fmb_plane_extreme(plane, j->sign, &row);
+            FMB_TRY(fmb_plane_extreme(plane, j->sign, &row));
         else
             row = fmb_end_tightest_row(e, j->column, j->sign);
-        if (st == FMB_OK)
-            st = set_end_from_row(j, e, row);
+        FMB_TRY(set_end_from_row(j, e, row));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- divide and conquer ---------------------------------------------------------------------- */
@@ -104,11 +99,10 @@ static fmb_status eliminate_columns(split *d, const int *column, int columns)
 static fmb_status read_ends_of_column(split *d, int column, fmb_plane *plane)
 {
     fmb_bound_job j = {.q = d->q, .p = d->p, .var = d->p->var[column], .column = column};
-    fmb_status st = FMB_OK;
-    for (int i = 0; st == FMB_OK && i < d->box->size; i++)
+    for (int i = 0; i < d->box->size; i++)
         if (d->box->var[i] == j.var)
-            st = read_both_ends(&j, &d->e, plane, d->box->side[i]);
-    return st;
+            FMB_TRY(read_both_ends(&j, &d->e, plane, d->box->side[i]));
+    return FMB_OK;
 }
 
 /* Bound x; only y is left beside it. *done: false if it cannot be done without eliminating y. */
@@ -163,18 +157,16 @@ static fmb_status bound_columns_left(split *d, int *column, int columns);
 static fmb_status bound_first_half(split *d, int *column, int columns, const int *others, int n)
 {
     bool done = false;
-    fmb_status st = FMB_OK;
     if (columns == 1) {
-        st = eliminate_columns(d, others, n - 1);
-        if (st == FMB_OK)
-            st = read_ends_in_plane(d, column[0], others[n - 1], &done);
-        if (st != FMB_OK || done)
-            return st;
+        FMB_TRY(eliminate_columns(d, others, n - 1));
+        FMB_TRY(read_ends_in_plane(d, column[0], others[n - 1], &done));
+        if (done)
+            return FMB_OK;
         others += n - 1;
         n = 1;
     }
-    st = eliminate_columns(d, others, n);
-    return st == FMB_OK ? bound_columns_left(d, column, columns) : st;
+    FMB_TRY(eliminate_columns(d, others, n));
+    return bound_columns_left(d, column, columns);
 }
 
 /* Bound column[0..columns), which are all that is left. */
@@ -185,11 +177,8 @@ static fmb_status bound_columns_left(split *d, int *column, int columns)
     if (columns == 1)
         return read_ends_of_column(d, column[0], NULL);
     order_by_shared_rows(d, column, columns);
-    fmb_status st = fmb_mark_set(&mark, &d->e);
-    if (st == FMB_OK)
-        st = bound_first_half(d, column, half, column + half, columns - half);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mark_set(&mark, &d->e));
+    FMB_TRY(bound_first_half(d, column, half, column + half, columns - half));
     fmb_mark_return(&mark, &d->e);
     return bound_first_half(d, column + half, columns - half, column, half);
 }
@@ -197,20 +186,17 @@ static fmb_status bound_columns_left(split *d, int *column, int columns)
 /* The same for rules that a mark cannot bring back: each column from the start. */
 static fmb_status bound_each_from_start(split *d, int *column, int columns)
 {
-    fmb_status st = FMB_OK;
-    for (int i = 0; st == FMB_OK && i < columns; i++) {
+    for (int i = 0; i < columns; i++) {
         for (int j = 0; j < d->p->n; j++)
             d->drop[j] = j != column[i];
         if (i > 0) {
             fmb_elim_clear(&d->e);
-            st = fmb_query_load(d->q, d->p, true, &d->e);
+            FMB_TRY(fmb_query_load(d->q, d->p, true, &d->e));
         }
-        if (st == FMB_OK)
-            st = fmb_elim_eliminate(&d->e, d->drop);
-        if (st == FMB_OK)
-            st = read_ends_of_column(d, column[i], NULL);
+        FMB_TRY(fmb_elim_eliminate(&d->e, d->drop));
+        FMB_TRY(read_ends_of_column(d, column[i], NULL));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The columns whose variables the box asks for come first; their number. */

@@ -5,14 +5,12 @@ fmb_status fmb_bound_claim(fmb_bound_job *j, const fmb_weights *w)
 {
     fmb_query *q = j->q;
     fmb_claim *claim;
-    fmb_status st = fmb_evidence_claim(q->claims, FMB_CLAIM_BOUND, &claim);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_evidence_claim(q->claims, FMB_CLAIM_BOUND, &claim));
     claim->var = j->var;
     claim->side = j->side;
     claim->rel = j->end->attained ? FMB_LE : FMB_LT;
     mpq_set(claim->value, j->end->value);
-    st = fmb_query_push(q, j->p, w, SIZE_MAX, 1, &claim->multipliers);
+    fmb_status st = fmb_query_push(q, j->p, w, SIZE_MAX, 1, &claim->multipliers);
     if (st == FMB_OK)
         st = fmb_query_attach_point(q, claim, j->p, j->q->x);
     return fmb_query_finish_claim(q, st);

@@ -51,8 +51,7 @@ static fmb_status find_ends_of_group(void *self, size_t number, fmb_run *run)
 
 static fmb_status note_ends_of_group(shared_search *t, group *g, fmb_box *box)
 {
-    fmb_status st = FMB_OK;
-    for (int k = 0; st == FMB_OK && k < g->ready; k++) {
+    for (int k = 0; k < g->ready; k++) {
         int place = t->place[g->first + k / 2], side = k % 2;
         fmb_bound_job j = {.q = t->q,
                            .p = t->p,
@@ -62,9 +61,9 @@ static fmb_status note_ends_of_group(shared_search *t, group *g, fmb_box *box)
                            .sign = side == FMB_LOWER ? -1 : 1,
                            .end = &box->side[place][side]};
         if (g->end[k / 2][side].known)
-            st = fmb_note_end(&j, &g->end[k / 2][side]);
+            FMB_TRY(fmb_note_end(&j, &g->end[k / 2][side]));
     }
-    return st;
+    return FMB_OK;
 }
 
 static void close_group(shared_search *t, group *g)
@@ -92,9 +91,7 @@ static fmb_status find_and_note_all_ends(shared_search *t, fmb_box *box)
 fmb_status fmb_find_ends_together(fmb_query *q, int part, fmb_box *box, const int *place, int count)
 {
     fmb_oracle *o; /* made, for its program */
-    fmb_status st = fmb_query_feasible_oracle(q, part, &o);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_query_feasible_oracle(q, part, &o));
     shared_search t = {.q = q,
                        .p = &q->parts.part[part],
                        .program = &q->program[part],
@@ -109,7 +106,7 @@ fmb_status fmb_find_ends_together(fmb_query *q, int part, fmb_box *box, const in
         t.group[k].first = first;
         t.group[k].count = count - first < GROUP ? count - first : GROUP;
     }
-    st = find_and_note_all_ends(&t, box);
+    fmb_status st = find_and_note_all_ends(&t, box);
     fmb_mem_put(q->run.mem, t.group, (size_t)t.groups, sizeof *t.group);
     return st;
 }

@@ -79,10 +79,8 @@ fmb_status fmb_generate(fmb_solver *v, const fmb_system *s, fmb_generators **out
     fmb_query q;
     fmb_generators *g = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_query_begin(&q, v, s, "vertices");
+    FMB_TRY(fmb_solver_expect(v, s, out != NULL, res));
+    fmb_status st = fmb_query_begin(&q, v, s, "vertices");
     fmb_status opened = fmb_generators_new(fmb_system_dim(s), &v->mem.alloc, &g);
     if (opened == FMB_OK)
         fmb_mem_enter(&g->mem, &v->mem);

@@ -6,11 +6,10 @@
 
 static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < m->facets; i++)
-        st = fmb_system_append_dense(out, m->n - 1, NULL, NULL, &m->facet[i].v,
-                                     m->facet[i].equality ? FMB_EQ : FMB_LE, m->run->mem);
-    return st;
+    for (size_t i = 0; i < m->facets; i++)
+        FMB_TRY(fmb_system_append_dense(out, m->n - 1, NULL, NULL, &m->facet[i].v,
+                                        m->facet[i].equality ? FMB_EQ : FMB_LE, m->run->mem));
+    return FMB_OK;
 }
 
 /* Those that a few support queries tell. */
@@ -93,13 +92,9 @@ fmb_status fmb_hull(fmb_solver *v, const fmb_generators *g, fmb_system **out, fm
                                  !v   ? "the solver"
                                  : !g ? "g"
                                       : "out");
-    fmb_status st = fmb_solver_expect_result(v, res);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_system_new(g->dim, &v->mem.alloc, &hull);
-    if (st != FMB_OK)
-        return st;
-    st = ask_for_hull(v, g, hull, &verdict, res);
+    FMB_TRY(fmb_solver_expect_result(v, res));
+    FMB_TRY(fmb_system_new(g->dim, &v->mem.alloc, &hull));
+    fmb_status st = ask_for_hull(v, g, hull, &verdict, res);
     if (st == FMB_OK && verdict == FMB_INFEASIBLE)
         st = fmb_empty_set(hull, NULL, g->dim, &empty);
     if (st == FMB_OK)

@@ -101,13 +101,11 @@ static fmb_status run_cone(fmb_cone *c, uint64_t rays, bool *done)
 {
     uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
     uint64_t step = c->run->max_rows > 0 ? RAYS_AT_A_TIME : RAYS_AT_ONCE;
-    fmb_status st = FMB_OK;
-    for (*done = false; st == FMB_OK && !*done && c->made < most;) {
-        st = fmb_cone_run(c, step < most - c->made ? step : most - c->made, done);
-        if (st == FMB_OK)
-            st = fmb_run_rows(c->run, c->ray.size);
+    for (*done = false; !*done && c->made < most;) {
+        FMB_TRY(fmb_cone_run(c, step < most - c->made ? step : most - c->made, done));
+        FMB_TRY(fmb_run_rows(c->run, c->ray.size));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Do all inequalities but t >= 0 have as many coefficients? */
@@ -149,15 +147,12 @@ static fmb_status run_in_turns(fmb_lifted *h, const fmb_cone_row *sorted, bool *
 static fmb_status find_rays_row_by_row(fmb_lifted *h, const fmb_cone_row *sorted)
 {
     bool done = false;
-    fmb_status st = FMB_OK;
     if (sorted && do_rows_look_alike(&h->cone))
-        st = run_in_turns(h, sorted, &done);
-    if (st != FMB_OK || done)
-        return st;
-    st = run_cone(&h->cone, 0, &done);
-    return st == FMB_OK
-               ? fmb_image_init(&h->image, &h->q->run, &h->cone, h->d, fmb_query_is_wide(h->q))
-               : st;
+        FMB_TRY(run_in_turns(h, sorted, &done));
+    if (done)
+        return FMB_OK;
+    FMB_TRY(run_cone(&h->cone, 0, &done));
+    return fmb_image_init(&h->image, &h->q->run, &h->cone, h->d, fmb_query_is_wide(h->q));
 }
 
 /* ---- the way --------------------------------------------------------------------------------- */

@@ -19,23 +19,22 @@ static fmb_status copy_row(const fmb_vec *from, bool turned, size_t d, fmb_arena
                            fmb_vec *to)
 {
     to->s = fmb_arena_get(arena, d, sizeof *to->s);
-    fmb_status st = to->s ? fmb_vec_copy(to, from, d, arena->mem) : fmb_mem_status(arena->mem);
-    if (st == FMB_OK && turned)
+    FMB_TRY(to->s ? fmb_vec_copy(to, from, d, arena->mem) : fmb_mem_status(arena->mem));
+    if (turned)
         fmb_vec_negate(to, d);
-    return st;
+    return FMB_OK;
 }
 
 /* An equality is two rows. v[] is zero. */
 static fmb_status copy_rows(const fmb_cone_row *row, size_t rows, size_t d, fmb_arena *arena,
                             fmb_vec *v)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < rows; i++) {
-        st = copy_row(row[i].v, false, d, arena, v++);
-        if (st == FMB_OK && row[i].equality)
-            st = copy_row(row[i].v, true, d, arena, v++);
+    for (size_t i = 0; i < rows; i++) {
+        FMB_TRY(copy_row(row[i].v, false, d, arena, v++));
+        if (row[i].equality)
+            FMB_TRY(copy_row(row[i].v, true, d, arena, v++));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* What has been found when time is up is looked at to the end. */

@@ -36,9 +36,7 @@ static fmb_status put_outer_end(fmb_query *q, const fmb_part *p, const fmb_ends 
     uint32_t r = f->row[side][c];
     if (r == FMB_NO_ROW || end->kind != FMB_END_UNKNOWN)
         return FMB_OK;
-    fmb_status st = claim_outer_end(q, p, f->e, r, c, side);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(claim_outer_end(q, p, f->e, r, c, side));
     end->kind = FMB_END_OUTER;
     end->attained = false;
     mpq_set(end->value, f->value[side][c]);
@@ -49,15 +47,14 @@ static fmb_status put_outer_end(fmb_query *q, const fmb_part *p, const fmb_ends 
 static fmb_status put_outer_ends(fmb_query *q, const fmb_part *p, const fmb_ends *f, fmb_box *box)
 {
     const fmb_part *first = q->parts.part;
-    fmb_status st = FMB_OK;
-    for (int i = 0; st == FMB_OK && i < box->size; i++) {
+    for (int i = 0; i < box->size; i++) {
         int part = q->parts.of_var[box->var[i]], c = q->parts.place[box->var[i]];
         if (part < 0 || &first[part] != p)
             continue;
-        for (int side = FMB_LOWER; st == FMB_OK && side <= FMB_UPPER; side++)
-            st = put_outer_end(q, p, f, c, (fmb_side)side, &box->side[i][side]);
+        for (int side = FMB_LOWER; side <= FMB_UPPER; side++)
+            FMB_TRY(put_outer_end(q, p, f, c, (fmb_side)side, &box->side[i][side]));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_outer_from_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb_box *box)

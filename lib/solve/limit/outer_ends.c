@@ -176,20 +176,19 @@ static fmb_status bound_column_by_row(fmb_ends *f, uint32_t i, int direction, in
     if (mpz_sizeinbase(mpq_numref(w->t), 2) + mpz_sizeinbase(mpq_denref(w->t), 2) > MOST_BITS ||
         !is_better_end(f, side, c, w->t, r->strict || open > 0))
         return FMB_OK;
-    fmb_status st = derive_end_row(f, i, c, side, &end);
-    return st == FMB_OK ? take_row_as_end(f, side, c, end, w->t) : st;
+    FMB_TRY(derive_end_row(f, i, c, side, &end));
+    return take_row_as_end(f, side, c, end, w->t);
 }
 
 static fmb_status bound_columns_by_row(fmb_ends *f, uint32_t i, int direction, worth *w)
 {
-    fmb_status st = FMB_OK;
     add_up_least_terms(f, &f->e->row[i], direction, w);
-    for (int c = 0; st == FMB_OK && f->e->clash == FMB_NO_ROW && c < f->e->n; c++) {
+    for (int c = 0; f->e->clash == FMB_NO_ROW && c < f->e->n; c++) {
         bool bounded = w->infinite == 0 || (w->infinite == 1 && w->column == c);
         if (bounded && fmb_vec_sgn(&f->e->row[i].v, (size_t)c) != 0)
-            st = bound_column_by_row(f, i, direction, c, w);
+            FMB_TRY(bound_column_by_row(f, i, direction, c, w));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- all rows -------------------------------------------------------------------------------- */

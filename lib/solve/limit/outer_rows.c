@@ -51,26 +51,24 @@ static fmb_status put_implied_row(image *m, uint32_t r)
 
 static fmb_status put_all_implied_rows(image *m)
 {
-    fmb_status st = FMB_OK;
     size_t rows = m->e->rows, most = MOST_ENTRIES / (size_t)m->e->n;
-    for (size_t i = 0; st == FMB_OK && m->steps > 0 && i < rows && i < most; i++)
+    for (size_t i = 0; m->steps > 0 && i < rows && i < most; i++)
         if (names_kept_columns_only(m, &m->e->row[i]))
-            st = put_implied_row(m, (uint32_t)i);
-    return st;
+            FMB_TRY(put_implied_row(m, (uint32_t)i));
+    return FMB_OK;
 }
 
 /* Ends that are not rows already. */
 static fmb_status put_ends_as_rows(image *m, const fmb_ends *f, size_t rows)
 {
-    fmb_status st = FMB_OK;
-    for (int c = 0; st == FMB_OK && c < m->p->n; c++)
-        for (int side = FMB_LOWER; st == FMB_OK && side <= FMB_UPPER; side++) {
+    for (int c = 0; c < m->p->n; c++)
+        for (int side = FMB_LOWER; side <= FMB_UPPER; side++) {
             uint32_t r = f->row[side][c];
             bool seen = side == FMB_UPPER && r == f->row[FMB_LOWER][c];
             if (m->place[m->p->var[c]] >= 0 && r != FMB_NO_ROW && r >= rows && !seen)
-                st = put_implied_row(m, r);
+                FMB_TRY(put_implied_row(m, r));
         }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_outer_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, const int *place,

@@ -98,9 +98,7 @@ static void combine_origins(echelon *e, mpq_t *of, mpq_t *other)
 static fmb_status clear_entry(echelon *e, size_t i, size_t k, size_t j)
 {
     mpz_t *to = e->row[i].z, *by = e->row[k].z;
-    fmb_status st = fmb_long_gcd(e->g, to[j], by[j], &e->poll);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_long_gcd(e->g, to[j], by[j], &e->poll));
     mpz_divexact(e->p, by[j], e->g);
     mpz_divexact(e->a, to[j], e->g);
     for (size_t c = 0; c <= e->n; c++) {
@@ -109,12 +107,10 @@ static fmb_status clear_entry(echelon *e, size_t i, size_t k, size_t j)
         if (mpz_sgn(by[c]) != 0)
             mpz_submul(to[c], e->a, by[c]);
     }
-    st = fmb_integers_reduce(to, e->n + 1, e->g, &e->poll);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_reduce(to, e->n + 1, e->g, &e->poll));
     combine_origins(e, e->of[i], e->of[k]);
-    st = fmb_integers_settle(&e->row[i], e->c->q->run.mem);
-    return st == FMB_OK ? fmb_run_poll(&e->c->q->run) : st;
+    FMB_TRY(fmb_integers_settle(&e->row[i], e->c->q->run.mem));
+    return fmb_run_poll(&e->c->q->run);
 }
 
 static void swap_equations(echelon *e, size_t i, size_t k)
@@ -150,9 +146,7 @@ static fmb_status bring_to_echelon_form(echelon *e)
 static fmb_status normalize_equation(echelon *e, size_t k)
 {
     mpz_t *z = e->row[k].z;
-    fmb_status st = fmb_integers_reduce(z, e->n + 1, e->g, &e->poll);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_reduce(z, e->n + 1, e->g, &e->poll));
     mpz_set_si(e->p, mpz_sgn(z[e->pivot[k]]));
     for (size_t j = 0; mpz_sgn(e->p) < 0 && j <= e->n; j++)
         mpz_neg(z[j], z[j]);
@@ -199,13 +193,9 @@ static fmb_status replace_equations(echelon *e)
 static fmb_status multiply_by_pivot(echelon *e, size_t k, mpz_t *z)
 {
     mpz_srcptr pivot = e->row[k].z[e->pivot[k]];
-    fmb_status st = fmb_long_gcd(e->g, z[e->pivot[k]], pivot, &e->poll);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_long_gcd(e->g, z[e->pivot[k]], pivot, &e->poll));
     mpz_divexact(e->a, pivot, e->g);
-    st = fmb_long_gcd(e->g, e->p, e->a, &e->poll);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_long_gcd(e->g, e->p, e->a, &e->poll));
     mpz_divexact(e->a, e->a, e->g);
     mpz_mul(e->p, e->p, e->a);
     mpz_abs(e->p, e->p);

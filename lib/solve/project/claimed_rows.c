@@ -112,10 +112,8 @@ static fmb_status append_claim(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, const
     fmb_claim *claim;
     if (!c->q->claims)
         return FMB_OK;
-    fmb_status st = fmb_evidence_claim(c->q->claims, FMB_CLAIM_IMPLIED, &claim);
-    if (st != FMB_OK)
-        return st;
-    st = fill_claim_of_row(c, claim, z, rel, w);
+    FMB_TRY(fmb_evidence_claim(c->q->claims, FMB_CLAIM_IMPLIED, &claim));
+    fmb_status st = fill_claim_of_row(c, claim, z, rel, w);
     if (st != FMB_OK)
         fmb_evidence_drop_last(c->q->claims);
     return st;
@@ -126,11 +124,9 @@ static fmb_status append_claim(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, const
 fmb_status fmb_claimed_rows_append(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, const fmb_weights *w)
 {
     const fmb_vec row = {.z = z};
-    fmb_status st = fmb_system_append_dense(c->image, (size_t)fmb_system_dim(c->image), NULL, NULL,
-                                            &row, rel, c->q->run.mem);
-    if (st != FMB_OK)
-        return st;
-    st = append_claim(c, z, rel, w);
+    FMB_TRY(fmb_system_append_dense(c->image, (size_t)fmb_system_dim(c->image), NULL, NULL, &row,
+                                    rel, c->q->run.mem));
+    fmb_status st = append_claim(c, z, rel, w);
     if (st != FMB_OK)
         fmb_system_remove(c->image, c->image->rows - 1);
     return st;

@@ -52,21 +52,18 @@ static fmb_status claim_corner_at(completeness_proof *w)
 {
     fmb_claim *claim;
     bool point = mpz_sgn(w->y.z[w->y.size - 1]) > 0;
-    fmb_status st = fmb_evidence_claim(w->q->claims, FMB_CLAIM_CORNER, &claim);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_evidence_push_all(w->q->claims, point ? &claim->point : &claim->ray,
-                               (size_t)fmb_system_dim(w->q->s), NULL, w->x);
+    FMB_TRY(fmb_evidence_claim(w->q->claims, FMB_CLAIM_CORNER, &claim));
+    fmb_status st = fmb_evidence_push_all(w->q->claims, point ? &claim->point : &claim->ray,
+                                          (size_t)fmb_system_dim(w->q->s), NULL, w->x);
     return fmb_query_finish_claim(w->q, st);
 }
 
 /* What lies above y, as such rows have it. */
 static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *found)
 {
-    fmb_status st = w->preimages ? FMB_OK : fmb_preimages_open(w->q, w->place, &w->preimages);
-    if (st == FMB_OK)
-        st = fmb_preimages_find(w->preimages, &w->y, strict, w->tight, w->x, found);
-    return st == FMB_OK && *found ? claim_corner_at(w) : st;
+    FMB_TRY(w->preimages ? FMB_OK : fmb_preimages_open(w->q, w->place, &w->preimages));
+    FMB_TRY(fmb_preimages_find(w->preimages, &w->y, strict, w->tight, w->x, found));
+    return *found ? claim_corner_at(w) : FMB_OK;
 }
 
 /* x is what was met above w->y; variables of other parts are as in some solution, or 0. */
@@ -120,7 +117,6 @@ static bool is_in_image(completeness_proof *w)
 /* A point gets a strict solution, if there is one. */
 static fmb_status claim_corner(completeness_proof *w, const fmb_vec *ray, int sign, bool *found)
 {
-    fmb_status st = FMB_OK;
     *found = false;
     for (size_t k = 0; k < w->y.size; k++) {
         fmb_vec_get(ray, k, w->y.z[k]);
@@ -128,9 +124,9 @@ static fmb_status claim_corner(completeness_proof *w, const fmb_vec *ray, int si
             mpz_neg(w->y.z[k], w->y.z[k]);
     }
     if (w->any_strict && is_in_image(w))
-        st = claim_corner_above(w, true, found);
-    if (st != FMB_OK || *found)
-        return st;
+        FMB_TRY(claim_corner_above(w, true, found));
+    if (*found)
+        return FMB_OK;
     const fmb_met_point *met = sign > 0 ? fmb_met_points_find(&w->q->met, ray) : NULL;
     *found = met != NULL;
     return met ? claim_met_corner(w, &met->x) : claim_corner_above(w, false, found);
@@ -172,10 +168,8 @@ static uint64_t affordable_work(const fmb_query *q)
 /* Those of the rows, as far as the work for them goes. */
 static fmb_status find_corners_of_rows(completeness_proof *w)
 {
-    fmb_status st = w->lifted.q ? FMB_OK : fmb_lifted_open(&w->lifted, w->q, w->image);
-    return st == FMB_OK && !w->cornered
-               ? fmb_lifted_run(&w->lifted, w->work / WORK_OF_RAY, &w->cornered)
-               : st;
+    FMB_TRY(w->lifted.q ? FMB_OK : fmb_lifted_open(&w->lifted, w->q, w->image));
+    return !w->cornered ? fmb_lifted_run(&w->lifted, w->work / WORK_OF_RAY, &w->cornered) : FMB_OK;
 }
 
 /* ---- faces that strict rows leave ------------------------------------------------------------ */
@@ -241,8 +235,8 @@ static fmb_status satisfy_checker(completeness_proof *w, size_t claim)
 static fmb_status claim_complete(completeness_proof *w)
 {
     fmb_claim *claim;
-    fmb_status st = fmb_query_claim_whole(w->q, w->place, &claim);
-    return st == FMB_OK ? satisfy_checker(w, (size_t)(claim - w->q->claims->claim)) : st;
+    FMB_TRY(fmb_query_claim_whole(w->q, w->place, &claim));
+    return satisfy_checker(w, (size_t)(claim - w->q->claims->claim));
 }
 
 static void drop_claims(completeness_proof *w)
@@ -256,19 +250,19 @@ static fmb_status claim_corners_of_rows(completeness_proof *w)
     bool found;
     drop_claims(w);
     w->claimed = true;
-    fmb_status st = claim_all_corners(w, &w->lifted.image, &found);
-    return st == FMB_OK && found ? claim_complete(w) : st;
+    FMB_TRY(claim_all_corners(w, &w->lifted.image, &found));
+    return found ? claim_complete(w) : FMB_OK;
 }
 
 /* Corners, where these cost about as much as the order may; or that. At last it comes first. */
 static fmb_status try_corners_or_order(completeness_proof *w, bool last)
 {
-    fmb_status st = last ? FMB_OK : find_corners_of_rows(w);
+    FMB_TRY(last ? FMB_OK : find_corners_of_rows(w));
     size_t corners = w->lifted.image.rays + 2 * w->lifted.image.lines;
-    if (st == FMB_OK && w->cornered && !w->claimed && corners <= 2 * w->work / WORK_OF_PROGRAM)
-        st = claim_corners_of_rows(w);
-    if (st != FMB_OK || w->done)
-        return st;
+    if (w->cornered && !w->claimed && corners <= 2 * w->work / WORK_OF_PROGRAM)
+        FMB_TRY(claim_corners_of_rows(w));
+    if (w->done)
+        return FMB_OK;
     drop_claims(w);
     return fmb_query_order_complete(w->q, w->place, w->image, w->work, &w->done);
 }

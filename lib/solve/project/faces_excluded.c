@@ -145,12 +145,11 @@ static fmb_status open_facets_program(face_search *f)
 {
     fmb_run *run = &f->c->q->run;
     bool feasible;
-    fmb_status st = fmb_rationals_new(&f->x, f->n, run->mem);
-    for (size_t i = 0; st == FMB_OK && i < f->facets; i++)
-        st = add_row_to_program(f, f->facet[i], FMB_LE, &f->program);
-    if (st == FMB_OK)
-        st = fmb_oracle_new(run, &f->program, &f->oracle);
-    return st == FMB_OK ? fmb_oracle_feasible(f->oracle, &feasible) : st;
+    FMB_TRY(fmb_rationals_new(&f->x, f->n, run->mem));
+    for (size_t i = 0; i < f->facets; i++)
+        FMB_TRY(add_row_to_program(f, f->facet[i], FMB_LE, &f->program));
+    FMB_TRY(fmb_oracle_new(run, &f->program, &f->oracle));
+    return fmb_oracle_feasible(f->oracle, &feasible);
 }
 
 /* r as a sum of facets, and a point where it is tight. */
@@ -246,16 +245,16 @@ static fmb_status find_facets_of_face(face_search *f, excluded_face *face)
         return fmb_mem_status(f->arena->mem);
     memset(doubtful, 0, f->words * sizeof *doubtful);
     memset(face->on, 0, f->words * sizeof *face->on);
-    fmb_status st = write_row_by_facets(f, face);
-    for (size_t i = 0; st == FMB_OK && i < f->facets; i++)
+    FMB_TRY(write_row_by_facets(f, face));
+    for (size_t i = 0; i < f->facets; i++)
         if (is_tight_at_point(f, f->facet[i]))
             fmb_set_put(doubtful, i);
-    while (st == FMB_OK && !face->redundant && more) {
+    while (!face->redundant && more) {
         more = !fmb_set_is_inside(doubtful, face->on, f->words);
         if (more)
-            st = ask_about_doubtful_facets(f, face, doubtful, &more);
+            FMB_TRY(ask_about_doubtful_facets(f, face, doubtful, &more));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* A face that is part of another one, or of a facet that is missing, is missing anyway. */
@@ -353,25 +352,22 @@ static fmb_status put_row_of_face(face_search *f, const excluded_face *face)
 /* Faces are listed in the order of their rows, which move up where some go. */
 static fmb_status put_all_faces(face_search *f)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < f->faces; i++)
+    for (size_t i = 0; i < f->faces; i++)
         if (!f->face[i].redundant)
-            st = put_row_of_face(f, &f->face[i]);
-    for (size_t i = f->faces; st == FMB_OK && i-- > 0;)
+            FMB_TRY(put_row_of_face(f, &f->face[i]));
+    for (size_t i = f->faces; i-- > 0;)
         if (f->face[i].redundant)
             fmb_claimed_rows_drop(f->c, f->face[i].row);
-    return st;
+    return FMB_OK;
 }
 
 /* ---- all ------------------------------------------------------------------------------------- */
 
 static fmb_status settle_faces(face_search *f)
 {
-    fmb_status st = open_facets_program(f);
-    for (size_t i = 0; st == FMB_OK && i < f->faces; i++)
-        st = find_facets_of_face(f, &f->face[i]);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_facets_program(f));
+    for (size_t i = 0; i < f->faces; i++)
+        FMB_TRY(find_facets_of_face(f, &f->face[i]));
     find_faces_of_missing_ones(f);
     return put_all_faces(f);
 }

@@ -91,14 +91,12 @@ static fmb_status eliminate_all(order_proof *w, fmb_claim *claim, bool *done)
 static fmb_status open_program_of_image(order_proof *w)
 {
     bool feasible;
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < w->image->rows; i++) {
+    for (size_t i = 0; i < w->image->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(w->image, i);
-        st = fmb_program_add(&w->program, r->nnz, r->var, NULL, &r->val, r->rel);
+        FMB_TRY(fmb_program_add(&w->program, r->nnz, r->var, NULL, &r->val, r->rel));
     }
-    if (st == FMB_OK)
-        st = fmb_oracle_new(&w->q->run, &w->program, &w->oracle);
-    return st == FMB_OK ? fmb_oracle_feasible(w->oracle, &feasible) : st;
+    FMB_TRY(fmb_oracle_new(&w->q->run, &w->program, &w->oracle));
+    return fmb_oracle_feasible(w->oracle, &feasible);
 }
 
 /* Row number `row` of the image, times that weight, as a multiple of its claim. */
@@ -195,15 +193,15 @@ static fmb_status open_order_proof(order_proof *w, uint64_t work, const fmb_poll
     fmb_program_init(&w->program, mem, (int)k);
     w->gone = fmb_mem_zero(mem, dim, sizeof *w->gone);
     w->variable = fmb_mem_get(mem, k, sizeof *w->variable);
-    fmb_status st = fmb_elimination_open(&w->of, w->q->s, work, mem, poll);
-    if (st == FMB_OK && (!w->gone || !w->variable))
-        st = fmb_mem_status(mem);
-    for (size_t j = 0; st == FMB_OK && j < dim; j++)
+    FMB_TRY(fmb_elimination_open(&w->of, w->q->s, work, mem, poll));
+    if (!w->gone || !w->variable)
+        FMB_TRY(fmb_mem_status(mem));
+    for (size_t j = 0; j < dim; j++)
         if (w->place[j] >= 0) {
             w->gone[j] = true;
             w->variable[w->place[j]] = j;
         }
-    return st;
+    return FMB_OK;
 }
 
 static void close_order_proof(order_proof *w)

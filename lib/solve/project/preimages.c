@@ -144,19 +144,16 @@ static fmb_status lift_in_part(fmb_preimages *l, lifted_part *h, const fmb_integ
 {
     fmb_mem *mem = l->q->run.mem;
     fmb_integers z = {0};
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < h->program.m; i++) {
+    for (size_t i = 0; i < h->program.m; i++) {
         find_right_side(l, h->row[i], y);
-        st = fmb_program_set_right(&h->program, i, l->b);
+        FMB_TRY(fmb_program_set_right(&h->program, i, l->b));
     }
-    if (st == FMB_OK) {
-        fmb_oracle_shift(h->oracle);
-        st = fmb_oracle_feasible(h->oracle, found);
-    }
-    if (st == FMB_OK && *found)
-        st = fmb_integers_init(&z, (size_t)h->n + 1, mem);
-    if (st != FMB_OK || !*found)
-        return st;
+    fmb_oracle_shift(h->oracle);
+    FMB_TRY(fmb_oracle_feasible(h->oracle, found));
+    if (*found)
+        FMB_TRY(fmb_integers_init(&z, (size_t)h->n + 1, mem));
+    if (!*found)
+        return FMB_OK;
     fmb_oracle_point_integers(h->oracle, z.z, z.z[h->n]);
     bool direction = mpz_sgn(y->z[y->size - 1]) == 0;
     for (int j = 0; j < h->p->n; j++) {
@@ -193,13 +190,13 @@ fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool stri
 {
     *found = !strict || keeps_strict_rows(l, y);
     set_kept_variables(l, y, x);
-    fmb_status st = fmb_run_poll(&l->q->run);
-    for (size_t c = 0; st == FMB_OK && *found && c < l->parts; c++) {
+    FMB_TRY(fmb_run_poll(&l->q->run));
+    for (size_t c = 0; *found && c < l->parts; c++) {
         lifted_part *h = &l->part[strict][c];
         if (!h->oracle)
             continue;
         fmb_oracle_expect_tight_rows(h->oracle, tight && !strict);
-        st = lift_in_part(l, h, y, x, found);
+        FMB_TRY(lift_in_part(l, h, y, x, found));
     }
-    return st;
+    return FMB_OK;
 }

@@ -33,12 +33,10 @@ fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_sys
 {
     fmb_system *t;
     mpz_t z[2];
-    fmb_status st = open_empty_projection(like, keep, n, &t);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_empty_projection(like, keep, n, &t));
     mpz_init_set_si(z[0], -1);
     mpz_init_set_ui(z[1], 1);
-    st = fmb_system_append(t, 0, NULL, z, FMB_LE);
+    fmb_status st = fmb_system_append(t, 0, NULL, z, FMB_LE);
     mpz_clears(z[0], z[1], NULL);
     if (st == FMB_OK)
         *out = t;
@@ -99,17 +97,15 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
         *verdict = FMB_FEASIBLE;
         return FMB_OK;
     }
-    fmb_status st = decide_before_projection(q, verdict);
-    if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
-        return st;
+    FMB_TRY(decide_before_projection(q, verdict));
+    if (*verdict == FMB_INFEASIBLE)
+        return FMB_OK;
     at->points = true;
     for (int c = 0; feasible && c < q->parts.count; c++) {
         at->part = c;
         at->rows = fmb_system_rows(out);
         q->put_out = false;
-        st = fmb_query_project_part(q, c, place, out, &feasible);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_query_project_part(q, c, place, out, &feasible));
     }
     *verdict = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
     return FMB_OK;
@@ -120,17 +116,15 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
 static fmb_status put_parts_at_limit(fmb_query *q, const progress *at, const int *place,
                                      fmb_system *out, fmb_verdict *verdict)
 {
-    fmb_status st = FMB_OK;
-    for (int c = at->part; st == FMB_OK && *verdict != FMB_INFEASIBLE && c < q->parts.count; c++) {
+    for (int c = at->part; *verdict != FMB_INFEASIBLE && c < q->parts.count; c++) {
         size_t first = c == at->part ? at->rows : fmb_system_rows(out);
-        st = fmb_outer_projection(q, c, place, out, verdict);
-        if (st == FMB_OK && *verdict != FMB_INFEASIBLE && at->points &&
-            !(c == at->part && q->put_out))
-            st = fmb_queries_at_limit(q, c, place, out);
-        if (st == FMB_OK && *verdict != FMB_INFEASIBLE)
-            st = fmb_outer_drop_parallel_rows(q, out, first);
+        FMB_TRY(fmb_outer_projection(q, c, place, out, verdict));
+        if (*verdict != FMB_INFEASIBLE && at->points && !(c == at->part && q->put_out))
+            FMB_TRY(fmb_queries_at_limit(q, c, place, out));
+        if (*verdict != FMB_INFEASIBLE)
+            FMB_TRY(fmb_outer_drop_parallel_rows(q, out, first));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status project_or_outer_rows(fmb_query *q, const int *place, fmb_system *out,
@@ -150,14 +144,15 @@ static fmb_status project_or_outer_rows(fmb_query *q, const int *place, fmb_syst
 
 static fmb_status expect_increasing(fmb_solver *v, const fmb_system *s, const int *keep, int n)
 {
-    fmb_status st = fmb_solver_expect_variables(v, s, "keep", keep, n);
-    if (st == FMB_OK && !keep && n > 0)
+    FMB_TRY(fmb_solver_expect_variables(v, s, "keep", keep, n));
+    if (!keep && n > 0)
         return fmb_solver_refuse(v, FMB_ERR_ARG, "keep is NULL, but n is %d", n);
-    for (int i = 1; st == FMB_OK && i < n; i++)
+    for (int i = 1; i < n; i++)
         if (keep[i] <= keep[i - 1])
-            st = fmb_solver_refuse(v, FMB_ERR_ARG, "keep[%d] is %d, after %d: they must increase",
-                                   i, keep[i], keep[i - 1]);
-    return st;
+            FMB_TRY(fmb_solver_refuse(v, FMB_ERR_ARG,
+                                      "keep[%d] is %d, after %d: they must increase", i, keep[i],
+                                      keep[i - 1]));
+    return FMB_OK;
 }
 
 /* The place of each variable in keep, -1 where it is not kept; NULL without memory. */

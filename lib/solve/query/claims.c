@@ -59,10 +59,8 @@ fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb
     if (!q->evidence)
         return FMB_OK;
     fmb_evidence_reset(q->evidence);
-    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_INFEASIBLE, &claim);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_query_push(q, p, w, SIZE_MAX, 1, &claim->multipliers);
+    FMB_TRY(fmb_evidence_claim(q->evidence, FMB_CLAIM_INFEASIBLE, &claim));
+    fmb_status st = fmb_query_push(q, p, w, SIZE_MAX, 1, &claim->multipliers);
     if (st == FMB_OK)
         st = reduce_to_lowest_terms(q->evidence, &claim->multipliers);
     fmb_sparse_sort(&claim->multipliers);
@@ -72,8 +70,8 @@ fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb
 fmb_status fmb_query_derive(fmb_query *q, const fmb_elim *e, uint32_t r, const mpq_t factor,
                             fmb_weights *w)
 {
-    fmb_status st = fmb_weights_add(w, r, factor, q->run.mem);
-    return st == FMB_OK ? fmb_elim_derive(e, w) : st;
+    FMB_TRY(fmb_weights_add(w, r, factor, q->run.mem));
+    return fmb_elim_derive(e, w);
 }
 
 fmb_status fmb_query_claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim *e)
@@ -100,14 +98,12 @@ fmb_status fmb_query_claim_false_row(fmb_query *q, size_t i)
     fmb_claim *claim;
     if (!q->evidence)
         return FMB_OK;
-    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_INFEASIBLE, &claim);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_evidence_claim(q->evidence, FMB_CLAIM_INFEASIBLE, &claim));
     mpq_t b;
     mpq_init(b);
     fmb_system_rhs_q(q->s, i, b);
     mpq_set_si(b, mpq_sgn(b) > 0 ? -1 : 1, 1); /* 0 = positive is an equality: turn it round */
-    st = fmb_evidence_push(q->evidence, &claim->multipliers, i, b);
+    fmb_status st = fmb_evidence_push(q->evidence, &claim->multipliers, i, b);
     mpq_clear(b);
     return fmb_query_finish_claim(q, st);
 }
@@ -120,13 +116,13 @@ void fmb_query_scatter(const fmb_part *p, mpq_t *x, mpq_t *dense)
 
 fmb_status fmb_query_attach_point(fmb_query *q, fmb_claim *claim, const fmb_part *p, mpq_t *x)
 {
-    fmb_status st = fmb_run_poll_now(&q->run);
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(q->s); j++) {
+    FMB_TRY(fmb_run_poll_now(&q->run));
+    for (int j = 0; j < fmb_system_dim(q->s); j++) {
         bool moved = x && q->parts.of_var[j] == p - q->parts.part;
         mpq_srcptr value = moved ? x[q->parts.place[j]] : q->point[j];
-        st = fmb_evidence_push(q->evidence, &claim->point, (size_t)j, value);
+        FMB_TRY(fmb_evidence_push(q->evidence, &claim->point, (size_t)j, value));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_query_claim_feasible(fmb_query *q)
@@ -134,9 +130,8 @@ fmb_status fmb_query_claim_feasible(fmb_query *q)
     fmb_claim *claim;
     if (!q->evidence)
         return FMB_OK;
-    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_FEASIBLE, &claim);
-    return st != FMB_OK ? st
-                        : fmb_query_finish_claim(q, fmb_query_attach_point(q, claim, NULL, NULL));
+    FMB_TRY(fmb_evidence_claim(q->evidence, FMB_CLAIM_FEASIBLE, &claim));
+    return fmb_query_finish_claim(q, fmb_query_attach_point(q, claim, NULL, NULL));
 }
 
 /* ---- rows that follow ------------------------------------------------------------------------ */
@@ -167,10 +162,8 @@ fmb_status fmb_query_claim_implied(fmb_query *q, const fmb_part *p, const fmb_ve
                                    const fmb_weights *reverse)
 {
     fmb_claim *claim;
-    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_IMPLIED, &claim);
-    if (st != FMB_OK)
-        return st;
-    st = fill_implied_claim(q, p, row, factor, rel, claim);
+    FMB_TRY(fmb_evidence_claim(q->evidence, FMB_CLAIM_IMPLIED, &claim));
+    fmb_status st = fill_implied_claim(q, p, row, factor, rel, claim);
     if (st == FMB_OK)
         st = fmb_query_push(q, p, proof, SIZE_MAX, 1, &claim->multipliers);
     if (st == FMB_OK && rel == FMB_EQ)
@@ -206,6 +199,6 @@ fmb_status fmb_query_put_row(fmb_query *q, const fmb_part *p, const fmb_elim *e,
                              fmb_rel rel, const fmb_weights *reverse, const int *place,
                              fmb_system *out)
 {
-    fmb_status st = claim_derived_row(q, p, e, r, rel, reverse);
-    return st == FMB_OK ? fmb_query_append_row(q, p, &e->row[r].v, rel, place, out) : st;
+    FMB_TRY(claim_derived_row(q, p, e, r, rel, reverse));
+    return fmb_query_append_row(q, p, &e->row[r].v, rel, place, out);
 }

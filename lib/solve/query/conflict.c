@@ -11,12 +11,11 @@
 static fmb_status load_rows_of_conflict(const fmb_query *q, const fmb_part *p, const fmb_weights *w,
                                         fmb_program *out)
 {
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < w->size; k++) {
+    for (size_t k = 0; k < w->size; k++) {
         const fmb_sysrow *r = fmb_system_row(q->s, p->source[w->index[k]]);
-        st = fmb_program_add(out, r->nnz, r->var, q->parts.place, &r->val, r->rel);
+        FMB_TRY(fmb_program_add(out, r->nnz, r->var, q->parts.place, &r->val, r->rel));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The conflict of o, its rows numbered as in the part. */

@@ -51,10 +51,9 @@ fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s)
 
 fmb_status fmb_lifted_run(fmb_lifted *h, uint64_t rays, bool *done)
 {
-    fmb_status st = fmb_cone_run(&h->cone, rays, done);
-    return st == FMB_OK && *done
-               ? fmb_image_init(&h->image, &h->q->run, &h->cone, h->d, fmb_query_is_wide(h->q))
-               : st;
+    FMB_TRY(fmb_cone_run(&h->cone, rays, done));
+    return *done ? fmb_image_init(&h->image, &h->q->run, &h->cone, h->d, fmb_query_is_wide(h->q))
+                 : FMB_OK;
 }
 
 void fmb_lifted_close(fmb_lifted *h)

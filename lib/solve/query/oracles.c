@@ -10,13 +10,12 @@ fmb_status fmb_query_write_rows(fmb_query *q, int part)
 
 static fmb_status load_program(fmb_query *q, const fmb_part *p, fmb_program *out)
 {
-    fmb_status st = FMB_OK;
     fmb_program_init(out, q->run.mem, p->n);
-    for (size_t i = 0; st == FMB_OK && i < p->m; i++) {
+    for (size_t i = 0; i < p->m; i++) {
         const fmb_sysrow *r = fmb_system_row(q->s, p->source[i]);
-        st = fmb_program_add(out, r->nnz, r->var, q->parts.place, &r->val, r->rel);
+        FMB_TRY(fmb_program_add(out, r->nnz, r->var, q->parts.place, &r->val, r->rel));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* The oracle of the system that is loaded, which catches up with it when it is first asked. */
@@ -49,10 +48,10 @@ fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_oracle **out)
 fmb_status fmb_query_feasible_oracle(fmb_query *q, int part, fmb_oracle **out)
 {
     bool feasible = true;
-    fmb_status st = fmb_query_oracle(q, part, out);
-    if (st == FMB_OK && !fmb_oracle_has_solution(*out))
-        st = fmb_oracle_feasible(*out, &feasible);
-    return st == FMB_OK && !feasible ? FMB_LIMIT : st;
+    FMB_TRY(fmb_query_oracle(q, part, out));
+    if (!fmb_oracle_has_solution(*out))
+        FMB_TRY(fmb_oracle_feasible(*out, &feasible));
+    return !feasible ? FMB_LIMIT : FMB_OK;
 }
 
 fmb_status fmb_query_take_integer_weights(fmb_query *q, const fmb_part *p, fmb_weights *w)

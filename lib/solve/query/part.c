@@ -81,22 +81,21 @@ static fmb_status allocate_part(fmb_part *p, fmb_arena *arena)
 static fmb_status list_rows_and_variables(fmb_parts *p, const fmb_system *s, fmb_run *run,
                                           fmb_arena *arena)
 {
-    fmb_status st = FMB_OK;
-    for (int c = 0; st == FMB_OK && c < p->count; c++)
-        st = allocate_part(&p->part[c], arena);
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(s); j++)
+    for (int c = 0; c < p->count; c++)
+        FMB_TRY(allocate_part(&p->part[c], arena));
+    for (int j = 0; j < fmb_system_dim(s); j++)
         if (p->of_var[j] >= 0)
             p->part[p->of_var[j]].var[p->place[j]] = j;
-    for (size_t i = 0; st == FMB_OK && i < s->rows; i++) {
+    for (size_t i = 0; i < s->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(s, i);
         if (r->nnz == 0)
             continue;
         fmb_part *part = &p->part[p->of_var[r->var[0]]];
         part->source[part->m] = i;
         part->rel[part->m++] = r->rel;
-        st = fmb_run_poll(run);
+        FMB_TRY(fmb_run_poll(run));
     }
-    return st;
+    return FMB_OK;
 }
 
 fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_arena *arena,
@@ -128,23 +127,21 @@ fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_
 static fmb_status set_wide_row(fmb_vec *v, const fmb_sysrow *r, const int *place, size_t n,
                                fmb_mem *mem)
 {
-    fmb_status st = fmb_vec_widen(v, n, mem);
-    for (size_t k = 0; st == FMB_OK && k <= r->nnz; k++) {
+    FMB_TRY(fmb_vec_widen(v, n, mem));
+    for (size_t k = 0; k <= r->nnz; k++) {
         size_t at = k < r->nnz ? (size_t)place[r->var[k]] : n - 1;
         fmb_vec_get(&r->val, k, v->z[at]);
     }
-    return st;
+    return FMB_OK;
 }
 
 /* v is all zeros. */
 static fmb_status load_row_of_part(fmb_vec *v, const fmb_sysrow *r, const int *place, size_t n,
                                    fmb_num *k)
 {
-    if (fmb_vec_is_wide(&r->val)) {
-        fmb_status st = set_wide_row(v, r, place, n, k->mem);
-        if (st != FMB_OK)
-            return st;
-    } else {
+    if (fmb_vec_is_wide(&r->val))
+        FMB_TRY(set_wide_row(v, r, place, n, k->mem));
+    else {
         for (size_t t = 0; t < r->nnz; t++)
             v->s[place[r->var[t]]] = r->val.s[t];
         v->s[n - 1] = r->val.s[r->nnz];

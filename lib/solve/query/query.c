@@ -73,8 +73,8 @@ fmb_status fmb_solver_evidence(const fmb_solver *v, fmb_evidence **out)
 fmb_status fmb_query_want_point(fmb_query *q)
 {
     size_t dim = (size_t)fmb_system_dim(q->s);
-    fmb_status st = q->point ? FMB_OK : fmb_rationals_new(&q->point, dim, &q->v->mem);
-    return st == FMB_OK && !q->x ? fmb_rationals_new(&q->x, dim, &q->v->mem) : st;
+    FMB_TRY(q->point ? FMB_OK : fmb_rationals_new(&q->point, dim, &q->v->mem));
+    return !q->x ? fmb_rationals_new(&q->x, dim, &q->v->mem) : FMB_OK;
 }
 
 static fmb_status open_query_evidence(fmb_query *q)
@@ -83,9 +83,7 @@ static fmb_status open_query_evidence(fmb_query *q)
     if (v->options.evidence == FMB_EVIDENCE_NONE)
         return FMB_OK;
     size_t dim = (size_t)fmb_system_dim(q->s);
-    fmb_status st = fmb_evidence_new((int)dim, fmb_system_rows(q->s), &v->mem.alloc, &v->evidence);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_evidence_new((int)dim, fmb_system_rows(q->s), &v->mem.alloc, &v->evidence));
     q->evidence = v->evidence;
     q->claims = v->options.evidence != FMB_EVIDENCE_VERDICT ? q->evidence : NULL;
     fmb_mem_enter(&q->evidence->mem, &v->mem);
@@ -109,16 +107,12 @@ static fmb_status begin_query(fmb_query *q, fmb_solver *v, const fmb_system *s, 
         q->run.cancel = v->within->cancel;
         q->run.deadline = v->within->deadline;
     }
-    fmb_status st = fmb_rules_agree(v, name);
-    if (st == FMB_OK)
-        st = open_query_evidence(q);
-    if (st == FMB_OK)
-        st = fmb_parts_split(&q->parts, s, &q->run, &v->arena,
-                             session                            ? FMB_SPLIT_ALL
-                             : (v->steps & FMB_STEP_COMPONENTS) ? FMB_SPLIT_COMPONENTS
-                                                                : FMB_SPLIT_NAMED);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rules_agree(v, name));
+    FMB_TRY(open_query_evidence(q));
+    FMB_TRY(fmb_parts_split(&q->parts, s, &q->run, &v->arena,
+                            session                            ? FMB_SPLIT_ALL
+                            : (v->steps & FMB_STEP_COMPONENTS) ? FMB_SPLIT_COMPONENTS
+                                                               : FMB_SPLIT_NAMED));
     size_t parts = (size_t)q->parts.count;
     fmb_oracle **oracle = fmb_arena_get(&v->arena, parts, sizeof *oracle);
     q->program = fmb_arena_get(&v->arena, parts, sizeof *q->program);
@@ -196,10 +190,8 @@ fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, bool feasible, fmb_el
                           .rules = rules};
     q->run.var_of = p->var;
     *e = (fmb_elim){.run = &q->run}; /* it can be cleared, whatever fails */
-    fmb_status st = p->row ? FMB_OK : fmb_query_write_rows(q, (int)(p - q->parts.part));
-    if (st != FMB_OK)
-        return st;
-    st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &o);
+    FMB_TRY(p->row ? FMB_OK : fmb_query_write_rows(q, (int)(p - q->parts.part)));
+    fmb_status st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &o);
     for (size_t i = 0; st == FMB_OK && i < p->m; i++)
         st = fmb_elim_add(e, &p->row[i], p->rel[i]);
     for (size_t i = 0; st == FMB_OK && !(v->steps & FMB_STEP_EQUALITIES) && i < p->m; i++)

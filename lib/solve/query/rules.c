@@ -42,10 +42,10 @@ static fmb_status take_words_of_list(fmb_solver *v, const char *list,
         return FMB_OK;
     for (;; list++) {
         size_t size = strcspn(list, ",");
-        fmb_status st = take(v, list, size);
+        FMB_TRY(take(v, list, size));
         list += size;
-        if (st != FMB_OK || !*list)
-            return st;
+        if (!*list)
+            return FMB_OK;
     }
 }
 
@@ -81,12 +81,10 @@ static fmb_status take_named_step(fmb_solver *v, const char *word, size_t size)
 
 fmb_status fmb_rules_read(fmb_solver *v, const fmb_options *o)
 {
-    fmb_status st =
-        take_words_of_list(v, o->rules ? o->rules : fmb_options_initial("rules"), take_named_rule);
-    return st != FMB_OK
-               ? st
-               : take_words_of_list(v, o->presolve ? o->presolve : fmb_options_initial("presolve"),
-                                    take_named_step);
+    FMB_TRY(
+        take_words_of_list(v, o->rules ? o->rules : fmb_options_initial("rules"), take_named_rule));
+    return take_words_of_list(v, o->presolve ? o->presolve : fmb_options_initial("presolve"),
+                              take_named_step);
 }
 
 fmb_status fmb_solver_add_rule(fmb_solver *v, const fmb_rule *rule)

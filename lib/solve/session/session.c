@@ -54,12 +54,12 @@ const fmb_system *fmb_session_system(const fmb_session *c)
 
 fmb_status fmb_session_reserve(fmb_session *c)
 {
-    fmb_status st = fmb_mem_reserve(c->mem, (void **)&c->row, &c->row_room,
-                                    fmb_system_rows(c->s) + 1, sizeof *c->row);
-    if (st == FMB_OK && c->levels > 0)
-        st = fmb_mem_reserve(c->mem, (void **)&c->journal, &c->change_room, c->changes + 1,
-                             sizeof *c->journal);
-    return st;
+    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->row, &c->row_room, fmb_system_rows(c->s) + 1,
+                            sizeof *c->row));
+    if (c->levels > 0)
+        FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->journal, &c->change_room, c->changes + 1,
+                                sizeof *c->journal));
+    return FMB_OK;
 }
 
 /* Note a change; what it replaced goes where nobody will want it back. */
@@ -89,9 +89,7 @@ void fmb_session_remove(fmb_session *c, size_t i)
 fmb_status fmb_session_set_right(fmb_session *c, size_t i, const mpq_t b)
 {
     fmb_change change = {.kind = FMB_CHANGE_RIGHT, .row = i};
-    fmb_status st = fmb_system_change_right(c->s, i, b, &change.old);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_system_change_right(c->s, i, b, &change.old));
     c->row[i].shifted = true;
     note_change(c, change);
     return FMB_OK;
@@ -133,11 +131,10 @@ size_t fmb_session_find(const fmb_session *c, fmb_row handle)
 
 fmb_status fmb_session_push(fmb_session *c)
 {
-    fmb_status st = fmb_mem_reserve(c->mem, (void **)&c->level, &c->level_room, c->levels + 1,
-                                    sizeof *c->level);
-    if (st == FMB_OK)
-        c->level[c->levels++] = c->changes;
-    return st;
+    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->level, &c->level_room, c->levels + 1,
+                            sizeof *c->level));
+    c->level[c->levels++] = c->changes;
+    return FMB_OK;
 }
 
 static void restore_removed_row(fmb_session *c, const fmb_change *change)

@@ -42,14 +42,14 @@ static fmb_status open_session_oracle(fmb_session *c)
 /* c->source of the slots in use; -1 (SIZE_MAX) of the others. Slots of new rows are yet to come. */
 static fmb_status find_sources(fmb_session *c)
 {
-    fmb_status st = fmb_mem_reserve(c->mem, (void **)&c->source, &c->source_room, c->program.m,
-                                    sizeof *c->source);
-    for (size_t k = 0; st == FMB_OK && k < c->program.m; k++)
+    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->source, &c->source_room, c->program.m,
+                            sizeof *c->source));
+    for (size_t k = 0; k < c->program.m; k++)
         c->source[k] = SIZE_MAX;
-    for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(c->s); i++)
+    for (size_t i = 0; i < fmb_system_rows(c->s); i++)
         if (c->row[i].slot != FMB_NO_SLOT)
             c->source[c->row[i].slot] = i;
-    return st;
+    return FMB_OK;
 }
 
 /* The slot of row i has coefficients c_k where the row's integers are a_k: it needs b c_0 / a_0 on
@@ -105,16 +105,14 @@ static void switch_slots(fmb_session *c)
 static fmb_status append_slots(fmb_session *c)
 {
     size_t before = c->program.m;
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(c->s); i++) {
+    for (size_t i = 0; i < fmb_system_rows(c->s); i++) {
         const fmb_sysrow *r = fmb_system_row(c->s, i);
         if (c->row[i].slot != FMB_NO_SLOT || is_constant_row(c, i))
             continue;
-        st = fmb_program_add_copy(&c->program, r->nnz, r->var, &r->val, r->rel);
-        if (st == FMB_OK)
-            c->row[i].slot = c->program.m - 1;
+        FMB_TRY(fmb_program_add_copy(&c->program, r->nnz, r->var, &r->val, r->rel));
+        c->row[i].slot = c->program.m - 1;
     }
-    return st == FMB_OK && c->program.m > before ? fmb_oracle_grow(c->oracle) : st;
+    return c->program.m > before ? fmb_oracle_grow(c->oracle) : FMB_OK;
 }
 
 /* Are most slots those of rows that are gone? */
@@ -137,16 +135,12 @@ fmb_status fmb_session_enter(fmb_session *c, const fmb_run *run)
         fmb_session_forget(c);
     c->run = *run;
     c->run.stats = (fmb_stats){0};
-    fmb_status st = open_session_oracle(c);
-    if (st == FMB_OK)
-        st = shift_slots(c);
-    if (st == FMB_OK)
-        st = find_sources(c);
-    if (st == FMB_OK)
-        switch_slots(c);
-    if (st == FMB_OK)
-        st = append_slots(c);
-    return st == FMB_OK ? find_sources(c) : st;
+    FMB_TRY(open_session_oracle(c));
+    FMB_TRY(shift_slots(c));
+    FMB_TRY(find_sources(c));
+    switch_slots(c);
+    FMB_TRY(append_slots(c));
+    return find_sources(c);
 }
 
 void fmb_session_leave(fmb_session *c, fmb_run *run)

@@ -40,11 +40,8 @@ static fmb_status catch_up(fmb_script *s)
 /* One reading up to the question. */
 static fmb_status read_up_to(fmb_script *s, const script_extra *extra, fmb_smt_mark *before)
 {
-    fmb_status st = s->reading.s ? FMB_OK : fmb_smt_reading_begin(&s->reading);
-    if (st == FMB_OK)
-        st = catch_up(s);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(s->reading.s ? FMB_OK : fmb_smt_reading_begin(&s->reading));
+    FMB_TRY(catch_up(s));
     *before = fmb_smt_reading_mark(&s->reading);
     if (!extra->at)
         return FMB_OK;
@@ -111,17 +108,13 @@ static fmb_status run_assumptions(fmb_smt *r, const char *open)
         const char *before = r->c->at;
         fmb_smt_token t;
         fmb_smt_value v;
-        fmb_status st = fmb_smt_next(r->c, &t);
-        if (st != FMB_OK || t.kind == FMB_SMT_CLOSE)
-            return st;
+        FMB_TRY(fmb_smt_next(r->c, &t));
+        if (t.kind == FMB_SMT_CLOSE)
+            return FMB_OK;
         r->c->at = before;
-        st = fmb_smt_term(r, &v);
-        if (st == FMB_OK)
-            st = fmb_smt_check_kind(r, &v, true);
-        if (st == FMB_OK)
-            st = fmb_form_assert(&r->forms, v.id, r->s);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_smt_term(r, &v));
+        FMB_TRY(fmb_smt_check_kind(r, &v, true));
+        FMB_TRY(fmb_form_assert(&r->forms, v.id, r->s));
     }
 }
 
@@ -181,10 +174,9 @@ static fmb_span find_value_term(fmb_script *s, size_t i)
 static fmb_status run_value_term(fmb_smt *r, const char *open)
 {
     fmb_smt_value v;
-    fmb_status st = fmb_smt_term(r, &v);
-    if (st == FMB_OK)
-        st = fmb_smt_check_kind(r, &v, false);
-    return st == FMB_OK ? fmb_lin_expand(&r->lin, open, v.id, &r->forms.row) : st;
+    FMB_TRY(fmb_smt_term(r, &v));
+    FMB_TRY(fmb_smt_check_kind(r, &v, false));
+    return fmb_lin_expand(&r->lin, open, v.id, &r->forms.row);
 }
 
 fmb_status fmb_script_term(fmb_script *s, size_t i, const char **text, size_t *size,
@@ -200,10 +192,8 @@ fmb_status fmb_script_term(fmb_script *s, size_t i, const char **text, size_t *s
     }
     const fmb_script_command *k = &s->command[s->at - 1];
     script_extra extra = {k, term.p, run_value_term};
-    fmb_status st = ask_reading(s, &extra, true, out, where);
-    if (st == FMB_OK) {
-        *text = term.p;
-        *size = term.n;
-    }
-    return st;
+    FMB_TRY(ask_reading(s, &extra, true, out, where));
+    *text = term.p;
+    *size = term.n;
+    return FMB_OK;
 }

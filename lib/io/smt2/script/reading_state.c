@@ -27,8 +27,8 @@ fmb_status fmb_smt_reading_begin(fmb_smt_reading *g)
     g->c.where = &g->at;
     forget_what_was_read(g);
     fmb_smt_begin_reading(&g->facts);
-    fmb_status st = fmb_system_new(0, g->silent.mem, &g->s);
-    return st == FMB_OK ? fmb_smt_init(&g->r, &g->c, g->s, &g->facts) : st;
+    FMB_TRY(fmb_system_new(0, g->silent.mem, &g->s));
+    return fmb_smt_init(&g->r, &g->c, g->s, &g->facts);
 }
 
 void fmb_smt_reading_drop(fmb_smt_reading *g)

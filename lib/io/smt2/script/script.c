@@ -203,10 +203,8 @@ static fmb_status push_levels(fmb_script *s, size_t n)
     if (n > s->size)
         return FMB_ERR_PARSE;
     for (; n > 0; n--) {
-        fmb_status st = fmb_mem_reserve(&s->mem, (void **)&s->level, &s->level_capacity,
-                                        s->levels + 1, sizeof *s->level);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_mem_reserve(&s->mem, (void **)&s->level, &s->level_capacity, s->levels + 1,
+                                sizeof *s->level));
         s->level[s->levels++] = (fmb_script_level){.at = s->at};
     }
     return FMB_OK;
@@ -264,9 +262,7 @@ fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out, fmb_where *where
     while (s->at < s->commands) {
         fmb_script_command *k = &s->command[s->at];
         fmb_script_kind kind = fmb_script_kind_of(k);
-        fmb_status st = kind ? FMB_OK : run_script_command(s, k, where);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(kind ? FMB_OK : run_script_command(s, k, where));
         if (kind == FMB_SCRIPT_CHECK)
             s->asked = s->at;
         s->at++;

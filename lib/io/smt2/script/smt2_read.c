@@ -19,18 +19,15 @@ static fmb_status run_assert_command(fmb_smt *r, const char *open)
         r->warned_late = true;
     }
     r->named = false;
-    fmb_status st = fmb_smt_term(r, &v);
-    if (st == FMB_OK)
-        st = fmb_smt_check_kind(r, &v, true);
-    if (st == FMB_OK)
-        st = fmb_smt_close_command(r);
-    if (st == FMB_OK)
-        st = fmb_form_assert(&r->forms, v.id, r->s);
-    if (st == FMB_OK && !r->named) {
+    FMB_TRY(fmb_smt_term(r, &v));
+    FMB_TRY(fmb_smt_check_kind(r, &v, true));
+    FMB_TRY(fmb_smt_close_command(r));
+    FMB_TRY(fmb_form_assert(&r->forms, v.id, r->s));
+    if (!r->named) {
         fmb_forms_forget(&r->forms, formulas);
         fmb_lin_forget(&r->lin, nodes);
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status note_check_command(fmb_smt *r, const char *open)
@@ -49,20 +46,16 @@ static fmb_status run_objective_command(fmb_smt *r, const char *open, fmb_sense 
         return fmb_smt_leave(r->c, open);
     }
     r->named = false;
-    fmb_status st = fmb_smt_term(r, &v);
-    if (st == FMB_OK)
-        st = fmb_smt_check_kind(r, &v, false);
-    if (st == FMB_OK)
-        st = fmb_smt_leave(r->c, open);
-    if (st == FMB_OK)
-        st = fmb_lin_expand(&r->lin, open, v.id, &r->forms.row);
-    if (st == FMB_OK)
-        st = fmb_draft_set_objective(r->c, open, &r->forms.row, sense, r->s);
-    if (st == FMB_OK && !r->named) {
+    FMB_TRY(fmb_smt_term(r, &v));
+    FMB_TRY(fmb_smt_check_kind(r, &v, false));
+    FMB_TRY(fmb_smt_leave(r->c, open));
+    FMB_TRY(fmb_lin_expand(&r->lin, open, v.id, &r->forms.row));
+    FMB_TRY(fmb_draft_set_objective(r->c, open, &r->forms.row, sense, r->s));
+    if (!r->named) {
         fmb_forms_forget(&r->forms, formulas);
         fmb_lin_forget(&r->lin, nodes);
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status run_minimize_command(fmb_smt *r, const char *open)
@@ -77,10 +70,9 @@ static fmb_status run_maximize_command(fmb_smt *r, const char *open)
 
 static fmb_status leave_at_exit(fmb_smt *r, const char *open)
 {
-    fmb_status st = fmb_smt_leave(r->c, open);
-    if (st == FMB_OK)
-        r->c->at = r->c->end;
-    return st;
+    FMB_TRY(fmb_smt_leave(r->c, open));
+    r->c->at = r->c->end;
+    return FMB_OK;
 }
 
 static fmb_status refuse_command(fmb_smt *r, const char *open)
@@ -134,9 +126,7 @@ static const char *const ignored[] = {"set-logic",
 fmb_status fmb_smt_run_command(fmb_smt *r, const char *open)
 {
     fmb_smt_token t;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "a command", &t);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "a command", &t));
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (fmb_span_is(t.text, table[i].name))
             return table[i].run(r, open);
@@ -173,15 +163,13 @@ static fmb_status run_all_commands(fmb_smt *r)
 {
     for (;;) {
         fmb_smt_token t;
-        fmb_status st = fmb_smt_next(r->c, &t);
-        if (st != FMB_OK || t.kind == FMB_SMT_END)
-            return st;
+        FMB_TRY(fmb_smt_next(r->c, &t));
+        if (t.kind == FMB_SMT_END)
+            return FMB_OK;
         if (t.kind != FMB_SMT_OPEN) {
             return fmb_io_expected(r->c, t.at, "'(' of a command");
         }
-        st = fmb_smt_run(r, t.at, fmb_smt_run_command);
-        if (st != FMB_OK)
-            return st;
+        FMB_TRY(fmb_smt_run(r, t.at, fmb_smt_run_command));
     }
 }
 

@@ -156,14 +156,13 @@ static size_t keep_row_hit(fmb_active_set *s)
 
 fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = from; st == FMB_OK && i < to; i++) {
+    for (size_t i = from; i < to; i++) {
         for (size_t j = 0; j < s->of->n; j++)
             s->way[j] = (double)s->of->row[i].v->s[j];
         (void)keep_row_hit(s);
-        st = fmb_run_poll(s->run);
+        FMB_TRY(fmb_run_poll(s->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Behind the hyperplane lies a point that breaks the row at hand and no other active row: shoot
@@ -257,20 +256,18 @@ static fmb_status activate_row_beyond_normal(fmb_active_set *s, size_t i, bool *
 /* Once more with all rows that matter active. */
 static fmb_status test_active_row(fmb_active_set *s, size_t i)
 {
-    fmb_status st = FMB_OK;
-    for (bool on = true; st == FMB_OK && on;) {
+    for (bool on = true; on;) {
         fmb_guess guess;
         on = false;
         aim_at_row(s, i);
-        st = fmb_simplex_search(&s->cone, s->target, s->number[i], s->run, &guess);
-        if (st == FMB_OK && guess == FMB_GUESS_INSIDE)
-            st = drop_row_if_proved(s, i);
-        else if (st == FMB_OK && guess == FMB_GUESS_OUTSIDE)
-            st = activate_row_beyond_normal(s, i, &on);
-        if (st == FMB_OK)
-            st = fmb_run_poll(s->run);
+        FMB_TRY(fmb_simplex_search(&s->cone, s->target, s->number[i], s->run, &guess));
+        if (guess == FMB_GUESS_INSIDE)
+            FMB_TRY(drop_row_if_proved(s, i));
+        else if (guess == FMB_GUESS_OUTSIDE)
+            FMB_TRY(activate_row_beyond_normal(s, i, &on));
+        FMB_TRY(fmb_run_poll(s->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- a search -------------------------------------------------------------------------------- */
@@ -282,10 +279,9 @@ static bool is_row_settled(const fmb_active_set *s, size_t i)
 
 static fmb_status activate_row_into_basis(fmb_active_set *s, size_t i)
 {
-    fmb_status st = activate_row_in_cone(s, i);
-    if (st == FMB_OK)
-        (void)fmb_basis_span(&s->cone, s->number[i], LEAST_PIVOT);
-    return st == FMB_OK ? fmb_run_poll(s->run) : st;
+    FMB_TRY(activate_row_in_cone(s, i));
+    (void)fmb_basis_span(&s->cone, s->number[i], LEAST_PIVOT);
+    return fmb_run_poll(s->run);
 }
 
 /* The right side as generator 0, rows that stay, and others until they span what they can. */
@@ -295,16 +291,15 @@ static fmb_status activate_first_rows(fmb_active_set *s)
     for (size_t k = 0; k < d; k++)
         s->target[k] = k + 1 == d;
     s->source[s->generators++] = s->of->m;
-    fmb_status st = fmb_basis_add(&s->cone, s->target, FMB_RANGE_UP);
-    if (st == FMB_OK)
-        (void)fmb_basis_span(&s->cone, 0, LEAST_PIVOT);
-    for (size_t i = 0; st == FMB_OK && i < s->of->m; i++)
+    FMB_TRY(fmb_basis_add(&s->cone, s->target, FMB_RANGE_UP));
+    (void)fmb_basis_span(&s->cone, 0, LEAST_PIVOT);
+    for (size_t i = 0; i < s->of->m; i++)
         if (is_row_settled(s, i))
-            st = activate_row_into_basis(s, i);
-    for (size_t i = 0; st == FMB_OK && i < s->of->m && s->cone.pivots < d; i++)
+            FMB_TRY(activate_row_into_basis(s, i));
+    for (size_t i = 0; i < s->of->m && s->cone.pivots < d; i++)
         if (s->number[i] == SIZE_MAX)
-            st = activate_row_into_basis(s, i);
-    return st;
+            FMB_TRY(activate_row_into_basis(s, i));
+    return FMB_OK;
 }
 
 static bool is_time_to_pause(fmb_active_set *s)
@@ -330,14 +325,13 @@ static fmb_status test_open_rows(fmb_active_set *s, size_t rows, const size_t *o
 fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to)
 {
     s->paused = false;
-    fmb_status st = s->generators == 0 ? activate_first_rows(s) : FMB_OK;
-    if (st == FMB_OK)
-        st = test_open_rows(s, to - from, open + from);
-    if (st == FMB_OK && !s->paused && !s->again) {
+    FMB_TRY(s->generators == 0 ? activate_first_rows(s) : FMB_OK);
+    FMB_TRY(test_open_rows(s, to - from, open + from));
+    if (!s->paused && !s->again) {
         s->doubtful = 0; /* they were activated, and are tried again */
         s->tested = 0;
         s->again = true;
-        st = test_open_rows(s, to - from, open + from);
+        FMB_TRY(test_open_rows(s, to - from, open + from));
     }
-    return st;
+    return FMB_OK;
 }

@@ -127,15 +127,15 @@ static fmb_status ask_oracle_if_feasible(sorting *s)
 static fmb_status look_for_inner_point(sorting *s)
 {
     bool possible, known = s->out->known, *inner = &s->out->inner;
-    fmb_status st =
-        fmb_interior_point_open(&s->inside, s->run, s->rows.n, s->rows.m, s->rows.row, &possible);
-    if (st == FMB_OK && possible && !known)
-        st = fmb_interior_point_find_quickly(&s->inside, inner);
-    if (st == FMB_OK && !known && !*inner)
-        st = ask_oracle_if_feasible(s);
-    if (st == FMB_OK && possible && !*inner && s->out->feasible)
-        st = fmb_interior_point_find(&s->inside, inner);
-    return st;
+    FMB_TRY(
+        fmb_interior_point_open(&s->inside, s->run, s->rows.n, s->rows.m, s->rows.row, &possible));
+    if (possible && !known)
+        FMB_TRY(fmb_interior_point_find_quickly(&s->inside, inner));
+    if (!known && !*inner)
+        FMB_TRY(ask_oracle_if_feasible(s));
+    if (possible && !*inner && s->out->feasible)
+        FMB_TRY(fmb_interior_point_find(&s->inside, inner));
+    return FMB_OK;
 }
 
 /* ---- by searches ----------------------------------------------------------------------------- */
@@ -145,10 +145,9 @@ static fmb_status shoot_for_search(void *self, size_t k, fmb_run *run)
     sorting *s = self;
     size_t shots = s->rows.m < MOST_SHOTS ? s->rows.m : MOST_SHOTS, of = s->searches;
     fmb_active_set *search = &s->search[k];
-    fmb_status st = fmb_active_set_init(search, run, &s->rows, s->out->inner ? &s->inside : NULL);
-    return st == FMB_OK && s->out->inner
-               ? fmb_active_set_shoot(search, shots * k / of, shots * (k + 1) / of)
-               : st;
+    FMB_TRY(fmb_active_set_init(search, run, &s->rows, s->out->inner ? &s->inside : NULL));
+    return s->out->inner ? fmb_active_set_shoot(search, shots * k / of, shots * (k + 1) / of)
+                         : FMB_OK;
 }
 
 /* Of the slice that is left, the part of one search: at least one step. */
@@ -230,12 +229,10 @@ static fmb_status do_for_searches(sorting *s, fmb_team_job job)
 static fmb_status begin_searches(sorting *s)
 {
     s->searches = count_searches(s);
-    fmb_status st = s->searches > 1 ? fmb_team_open(&s->team, s->run, s->searches) : FMB_OK;
-    if (st == FMB_OK)
-        st = do_for_searches(s, shoot_for_search);
-    if (st == FMB_OK)
-        share_what_was_hit(s);
-    return st;
+    FMB_TRY(s->searches > 1 ? fmb_team_open(&s->team, s->run, s->searches) : FMB_OK);
+    FMB_TRY(do_for_searches(s, shoot_for_search));
+    share_what_was_hit(s);
+    return FMB_OK;
 }
 
 /* Rows that were activated are tested twice. */

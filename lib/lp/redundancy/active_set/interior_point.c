@@ -49,11 +49,10 @@ static bool is_to_and_fro(const double *most, const size_t *row)
 static fmb_status reflect_until_inside(fmb_interior_point *p, size_t steps, double margin,
                                        bool *inside)
 {
-    fmb_status st = FMB_OK;
     double most[4] = {0};
     size_t row[4] = {SIZE_MAX, SIZE_MAX, SIZE_MAX, SIZE_MAX};
     *inside = false;
-    for (size_t k = 0; st == FMB_OK && k < steps; k++) {
+    for (size_t k = 0; k < steps; k++) {
         memmove(&most[0], &most[1], 3 * sizeof *most);
         memmove(&row[0], &row[1], 3 * sizeof *row);
         size_t i = row[3] = find_worst_broken_row(p, margin, &most[3]);
@@ -62,9 +61,9 @@ static fmb_status reflect_until_inside(fmb_interior_point *p, size_t steps, doub
             break;
         for (size_t j = 0; j < p->n; j++)
             p->x[j] -= 2 * most[3] * p->unit[j * p->m + i];
-        st = fmb_run_poll(p->run);
+        FMB_TRY(fmb_run_poll(p->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* Round the point and compute the slacks; false if it is not strictly inside. */
@@ -144,17 +143,16 @@ static fmb_status try_slack(fmb_interior_point *p, size_t steps, double margin, 
  * tell more rows apart. */
 fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found)
 {
-    fmb_status st = try_slack(p, 8 + 2 * p->n, 0.25, found);
-    return st == FMB_OK && !*found ? try_slack(p, 8 + 2 * p->n, 1.0 / 64, found) : st;
+    FMB_TRY(try_slack(p, 8 + 2 * p->n, 0.25, found));
+    return !*found ? try_slack(p, 8 + 2 * p->n, 1.0 / 64, found) : FMB_OK;
 }
 
 fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found)
 {
-    fmb_status st = FMB_OK;
     *found = false;
-    for (double margin = 0.25; st == FMB_OK && !*found && margin > 1.0 / UNIT; margin /= 16)
-        st = try_slack(p, 50 + 16 * p->n, margin, found);
-    return st;
+    for (double margin = 0.25; !*found && margin > 1.0 / UNIT; margin /= 16)
+        FMB_TRY(try_slack(p, 50 + 16 * p->n, margin, found));
+    return FMB_OK;
 }
 
 void fmb_interior_point_clear(fmb_interior_point *p)

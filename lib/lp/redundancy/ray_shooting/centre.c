@@ -241,7 +241,6 @@ static bool is_inside_without_t(const fmb_centre *c)
 /* Pull t down until the rows hold by themselves, in a cube of that room. */
 static fmb_status pull_rows_back(fmb_centre *c, fmb_run *run, double room, bool *inside)
 {
-    fmb_status st = FMB_OK;
     size_t wide = c->n + 1;
     memset(c->x, 0, wide * sizeof *c->x);
     memset(c->middle, 0, c->n * sizeof *c->middle);
@@ -251,15 +250,15 @@ static fmb_status pull_rows_back(fmb_centre *c, fmb_run *run, double room, bool 
     find_row_slacks(c, c->n, run->kernels);
     double most = c->x[c->n] = 1 - 2 * least_row_slack(c), pull = (double)c->m / most;
     find_row_slacks(c, wide, run->kernels);
-    for (size_t k = 0; st == FMB_OK && k < MOST_PULLS && pull * most < HARDEST; k++) {
+    for (size_t k = 0; k < MOST_PULLS && pull * most < HARDEST; k++) {
         double square = step_to_centre(c, wide, pull, run->kernels);
         *inside = is_inside_without_t(c);
         if (*inside || !(square < INFINITY))
             return FMB_OK;
         pull *= square < 1 ? HARDER : 2;
-        st = fmb_run_poll(run);
+        FMB_TRY(fmb_run_poll(run));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* In a cube that holds all rows, then in larger ones as long as x leans against the walls. */
@@ -315,7 +314,6 @@ static fmb_status go_to_centre(fmb_centre *c, fmb_run *run)
 
 fmb_status fmb_centre_find(fmb_centre *c, fmb_run *run, bool *inside)
 {
-    fmb_status st = FMB_OK;
     *inside = false;
     c->room = 0;
     if (c->m == 0 || c->n == 0)
@@ -324,9 +322,9 @@ fmb_status fmb_centre_find(fmb_centre *c, fmb_run *run, bool *inside)
     find_row_slacks(c, c->n, run->kernels);
     *inside = least_row_slack(c) > 0;
     if (!*inside)
-        st = find_some_inside(c, run, inside);
-    if (st != FMB_OK || !*inside)
-        return st;
+        FMB_TRY(find_some_inside(c, run, inside));
+    if (!*inside)
+        return FMB_OK;
     find_row_slacks(c, c->n, run->kernels);
     *inside = least_row_slack(c) > 0;
     return *inside ? go_to_centre(c, run) : FMB_OK;

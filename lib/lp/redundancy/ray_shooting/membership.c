@@ -101,12 +101,8 @@ fmb_status fmb_membership_add(fmb_membership *g, const double *q, size_t name)
 {
     fmb_basis *b = &g->basis;
     size_t j = b->size;
-    fmb_status st =
-        fmb_mem_reserve(b->mem, (void **)&g->name, &g->name_room, j + 1, sizeof *g->name);
-    if (st == FMB_OK)
-        st = fmb_basis_add(b, q, FMB_RANGE_UP);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mem_reserve(b->mem, (void **)&g->name, &g->name_room, j + 1, sizeof *g->name));
+    FMB_TRY(fmb_basis_add(b, q, FMB_RANGE_UP));
     g->name[j] = name;
     b->cost[j] = b->gain[j] = -1;
     for (size_t k = 0; k < g->n; k++)

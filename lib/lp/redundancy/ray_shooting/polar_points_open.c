@@ -231,12 +231,12 @@ static void make_round(fmb_polar_points *p)
 
 static fmb_status look_from_centre(fmb_polar_points *p, fmb_run *run, fmb_centre *c, bool *inside)
 {
-    fmb_status st = fmb_centre_init(c, p->mem, p->d, p->m);
-    if (st != FMB_OK || !load_scaled_rows(p, c))
-        return st;
-    st = fmb_centre_find(c, run, inside);
-    if (st != FMB_OK || !*inside)
-        return st;
+    FMB_TRY(fmb_centre_init(c, p->mem, p->d, p->m));
+    if (!load_scaled_rows(p, c))
+        return FMB_OK;
+    FMB_TRY(fmb_centre_find(c, run, inside));
+    if (!*inside)
+        return FMB_OK;
     *inside = round_centre(p, c) && see_rows(p);
     for (size_t j = 0; j < p->d; j++)
         for (size_t k = 0; k <= j; k++)

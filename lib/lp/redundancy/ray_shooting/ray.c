@@ -357,28 +357,25 @@ static bool is_multiple_between(mpz_t whole, const meeting *low, const meeting *
 static fmb_status find_time_between(fmb_run *run, mpq_t time, const meeting *low,
                                     const meeting *high)
 {
-    fmb_status st = FMB_OK;
     mp_bitcnt_t none = 0, some = 0; /* below `none` bits there is none; with `some` there is one */
     mpz_ptr whole = mpq_numref(time);
-    while (st == FMB_OK && !is_multiple_between(whole, low, high, some)) {
+    while (!is_multiple_between(whole, low, high, some)) {
         none = some + 1;
         some = 2 * some + 1;
-        st = fmb_run_poll_long(run, low->slack);
+        FMB_TRY(fmb_run_poll_long(run, low->slack));
     }
-    while (st == FMB_OK && none < some) {
+    while (none < some) {
         mp_bitcnt_t half = none + (some - none) / 2;
         if (is_multiple_between(whole, low, high, half))
             some = half;
         else
             none = half + 1;
-        st = fmb_run_poll_long(run, low->slack);
+        FMB_TRY(fmb_run_poll_long(run, low->slack));
     }
-    if (st == FMB_OK) {
-        (void)is_multiple_between(whole, low, high, some);
-        mpz_set_ui(mpq_denref(time), 1);
-        mpq_div_2exp(time, time, some);
-    }
-    return st;
+    (void)is_multiple_between(whole, low, high, some);
+    mpz_set_ui(mpq_denref(time), 1);
+    mpq_div_2exp(time, time, some);
+    return FMB_OK;
 }
 
 /* x = the point at the time. */

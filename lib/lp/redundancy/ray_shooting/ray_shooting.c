@@ -70,31 +70,28 @@ typedef struct result_log {
 /* Note what became of a row, without a proof. Errors: MEMORY, LIMIT. */
 static fmb_status result_log_note(result_log *f, size_t row, fmb_fate fate)
 {
-    fmb_status st =
-        fmb_mem_reserve(f->mem, (void **)&f->item, &f->room, f->count + 1, sizeof *f->item);
-    if (st == FMB_OK)
-        f->item[f->count++] = (logged_result){.row = row, .kept = fate == FMB_FATE_KEPT};
-    return st;
+    FMB_TRY(fmb_mem_reserve(f->mem, (void **)&f->item, &f->room, f->count + 1, sizeof *f->item));
+    f->item[f->count++] = (logged_result){.row = row, .kept = fate == FMB_FATE_KEPT};
+    return FMB_OK;
 }
 
 static fmb_status note_redundant_row(void *self, size_t i, const fmb_weights *w)
 {
     result_log *f = self;
-    fmb_status st = result_log_note(f, i, FMB_FATE_REDUNDANT);
-    for (size_t k = 0; st == FMB_OK && k < w->size; k++)
-        st = fmb_weights_add(&f->item[f->count - 1].weights, w->index[k], w->value[k], f->mem);
-    return st;
+    FMB_TRY(result_log_note(f, i, FMB_FATE_REDUNDANT));
+    for (size_t k = 0; k < w->size; k++)
+        FMB_TRY(fmb_weights_add(&f->item[f->count - 1].weights, w->index[k], w->value[k], f->mem));
+    return FMB_OK;
 }
 
 static fmb_status note_irredundant_row(void *self, size_t i, mpq_t *x)
 {
     result_log *f = self;
-    fmb_status st = result_log_note(f, i, FMB_FATE_KEPT);
-    if (st == FMB_OK)
-        st = fmb_rationals_new(&f->item[f->count - 1].x, f->n, f->mem);
-    for (size_t j = 0; st == FMB_OK && j < f->n; j++)
+    FMB_TRY(result_log_note(f, i, FMB_FATE_KEPT));
+    FMB_TRY(fmb_rationals_new(&f->item[f->count - 1].x, f->n, f->mem));
+    for (size_t j = 0; j < f->n; j++)
         mpq_set(f->item[f->count - 1].x[j], x[j]);
-    return st;
+    return FMB_OK;
 }
 
 /* None. f must not move. */
@@ -119,18 +116,17 @@ static void result_log_end(result_log *f)
  * told. */
 static fmb_status result_log_tell(result_log *f, fmb_fate *fate, const fmb_verdicts *told)
 {
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < f->count; k++) {
+    for (size_t k = 0; k < f->count; k++) {
         logged_result *it = &f->item[k];
         if (fate[it->row] != FMB_FATE_UNKNOWN)
             continue;
         fate[it->row] = it->kept ? FMB_FATE_KEPT : FMB_FATE_REDUNDANT;
         if (told && it->kept && told->irredundant)
-            st = told->irredundant(told->self, it->row, it->x);
+            FMB_TRY(told->irredundant(told->self, it->row, it->x));
         else if (told && !it->kept && told->redundant)
-            st = told->redundant(told->self, it->row, &it->weights);
+            FMB_TRY(told->redundant(told->self, it->row, &it->weights));
     }
-    return st;
+    return FMB_OK;
 }
 
 /* ---- together -------------------------------------------------------------------------------- */
@@ -198,9 +194,7 @@ fmb_status fmb_ray_shooting_sort(fmb_ray_shooting *s, fmb_fate *fate, const fmb_
     size_t groups = (p->m + GROUP - 1) / GROUP;
     s->fate = fate;
     s->told = told;
-    fmb_status st = fmb_drop_parallel_rows(s->run, p->n, p->m, p->row, fate, told);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_drop_parallel_rows(s->run, p->n, p->m, p->row, fate, told));
     for (size_t i = 0; i < p->m; i++)
         if (fate[i] == FMB_FATE_REDUNDANT)
             fmb_polar_points_hide(&s->points, i);

@@ -41,12 +41,10 @@ fmb_status fmb_ray_sorter_init(fmb_ray_sorter *s, fmb_run *run, const fmb_polar_
     s->support = fmb_mem_get(mem, d, sizeof *s->support);
     if (!s->is_active || !s->target || !s->support)
         return fmb_mem_status(mem);
-    fmb_status st = fmb_membership_init(&s->membership, mem, run->kernels, d, FIRST_CUBE);
-    if (st == FMB_OK)
-        st = fmb_ray_init(&s->ray, run, points);
-    if (st == FMB_OK)
-        st = fmb_combination_init(&s->combination, mem, points->n, points->row);
-    return st == FMB_OK ? fmb_rationals_new(&s->x, points->n, mem) : st;
+    FMB_TRY(fmb_membership_init(&s->membership, mem, run->kernels, d, FIRST_CUBE));
+    FMB_TRY(fmb_ray_init(&s->ray, run, points));
+    FMB_TRY(fmb_combination_init(&s->combination, mem, points->n, points->row));
+    return fmb_rationals_new(&s->x, points->n, mem);
 }
 
 static void free_known_rows(fmb_ray_sorter *s)
@@ -134,17 +132,13 @@ static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
 /* The last ray met row i alone. */
 static fmb_status keep_row(fmb_ray_sorter *s, size_t i)
 {
-    fmb_status st = FMB_OK;
     s->fate[i] = FMB_FATE_KEPT;
     if (s->told && s->told->irredundant) {
-        st = fmb_ray_beyond(&s->ray, s->x);
-        if (st == FMB_OK)
-            st = s->told->irredundant(s->told->self, i, s->x);
+        FMB_TRY(fmb_ray_beyond(&s->ray, s->x));
+        FMB_TRY(s->told->irredundant(s->told->self, i, s->x));
     }
-    if (st == FMB_OK && s->known == s->capacity)
-        st = reserve_known_rows(s, s->capacity == 0 ? 64 : 2 * s->capacity);
-    if (st != FMB_OK)
-        return st;
+    if (s->known == s->capacity)
+        FMB_TRY(reserve_known_rows(s, s->capacity == 0 ? 64 : 2 * s->capacity));
     for (size_t k = 0; k < s->points->d; k++)
         s->at[k * s->capacity + s->known] =
             s->points->round[k * s->points->m + s->points->place[i]];
@@ -227,19 +221,17 @@ static fmb_status prove_by_basis(fmb_ray_sorter *s, size_t i, double least)
         if (j != SIZE_MAX && s->membership.basis.value[r] > least)
             s->support[size++] = j;
     }
-    fmb_status st = fmb_combine(&s->combination, s->run, i, s->support, size, &found);
-    if (st != FMB_OK || !found || !fmb_combination_proves(&s->combination))
-        return st;
+    FMB_TRY(fmb_combine(&s->combination, s->run, i, s->support, size, &found));
+    if (!found || !fmb_combination_proves(&s->combination))
+        return FMB_OK;
     s->fate[i] = FMB_FATE_REDUNDANT;
     return tell_of_combination(s, i);
 }
 
 static fmb_status prove_implied(fmb_ray_sorter *s, size_t i)
 {
-    fmb_status st = prove_by_basis(s, i, NEARLY_NONE);
-    if (st == FMB_OK && s->fate[i] == FMB_FATE_UNKNOWN)
-        st = prove_by_basis(s, i, -INFINITY);
-    return st;
+    FMB_TRY(prove_by_basis(s, i, NEARLY_NONE));
+    return s->fate[i] == FMB_FATE_UNKNOWN ? prove_by_basis(s, i, -INFINITY) : FMB_OK;
 }
 
 /* The membership program says that row i is implied. If no proof comes of it, values that were
@@ -291,34 +283,31 @@ static fmb_status ask_about_row(fmb_ray_sorter *s, size_t i, bool *progress)
 /* Most vertices are farther in their own directions than those known by then. */
 static fmb_status shoot_along_normals(fmb_ray_sorter *s, size_t from, size_t to)
 {
-    fmb_status st = FMB_OK;
-    for (size_t at = from; st == FMB_OK && at < to; at++) {
+    for (size_t at = from; at < to; at++) {
         size_t i = s->points->order[at];
         bool progress;
         aim_at_point(s, i);
         if (s->fate[i] == FMB_FATE_UNKNOWN && does_target_stick_out(s))
-            st = shoot_for_vertex(s, s->target, &progress);
-        if (st == FMB_OK)
-            st = fmb_run_poll(s->run);
+            FMB_TRY(shoot_for_vertex(s, s->target, &progress));
+        FMB_TRY(fmb_run_poll(s->run));
     }
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status sort_one_row(fmb_ray_sorter *s, size_t i)
 {
-    fmb_status st = FMB_OK;
     bool progress = true;
     aim_at_point(s, i);
-    while (st == FMB_OK && progress && s->fate[i] == FMB_FATE_UNKNOWN)
-        st = ask_about_row(s, i, &progress);
-    return st == FMB_OK ? fmb_run_poll(s->run) : st;
+    while (progress && s->fate[i] == FMB_FATE_UNKNOWN)
+        FMB_TRY(ask_about_row(s, i, &progress));
+    return fmb_run_poll(s->run);
 }
 
 fmb_status fmb_ray_sorter_sort(fmb_ray_sorter *s, size_t from, size_t to)
 {
-    fmb_status st = shoot_along_normals(s, from, to);
-    for (size_t at = from; st == FMB_OK && at < to; at++)
+    FMB_TRY(shoot_along_normals(s, from, to));
+    for (size_t at = from; at < to; at++)
         if (s->fate[s->points->order[at]] == FMB_FATE_UNKNOWN)
-            st = sort_one_row(s, s->points->order[at]);
-    return st;
+            FMB_TRY(sort_one_row(s, s->points->order[at]));
+    return FMB_OK;
 }
