@@ -18,9 +18,13 @@ typedef struct fmb_arena {
 void fmb_arena_init(fmb_arena *a, fmb_mem *mem);
 /* count * size bytes, aligned to 16, not zeroed; NULL: fmb_mem_status says why. */
 void *fmb_arena_get(fmb_arena *a, size_t count, size_t size);
+#define FMB_ARENA_GET(a, p, count)                                                                 \
+    ((p) = fmb_arena_get(a, count, sizeof *(p)), (p) ? FMB_OK : fmb_mem_status((a)->mem))
 /* Make *p, an array of *capacity elements in the arena, hold at least need: it moves, and the old
  * place is lost until the reset, so capacity doubles. Errors: MEMORY, LIMIT. */
 fmb_status fmb_arena_reserve(fmb_arena *a, void **p, size_t *capacity, size_t need, size_t size);
+#define FMB_ARENA_RESERVE(a, p, capacity, need)                                                    \
+    fmb_arena_reserve(a, (void **)(p), capacity, need, sizeof **(p))
 void fmb_arena_reset(fmb_arena *a);
 
 /* How far the arena is filled; and take back all that it has handed out since. */

@@ -21,6 +21,13 @@
         if (fmb_tried != FMB_OK)                                                                   \
             return fmb_tried;                                                                      \
     } while (0)
+/* The call if all has gone well up to here, which st says, and how that went: where there is
+ * something to clean up. */
+#define FMB_THEN(st, call)                                                                         \
+    do {                                                                                           \
+        if ((st) == FMB_OK)                                                                        \
+            (st) = (call);                                                                         \
+    } while (0)
 
 typedef struct fmb_mem {
     fmb_alloc alloc;
@@ -39,8 +46,17 @@ void *fmb_mem_zero(fmb_mem *m, size_t count, size_t size);
 void *fmb_mem_grow(fmb_mem *m, void *p, size_t old, size_t count, size_t size);
 void fmb_mem_put(fmb_mem *m, void *p, size_t count, size_t size);
 
-/* Grow *p, an array of *capacity elements, to hold at least need, by doubling. */
+/* The same by the type of p, which the block goes to (NULL if there is none): a status. */
+#define FMB_GET(m, p, count)                                                                       \
+    ((p) = fmb_mem_get(m, count, sizeof *(p)), (p) ? FMB_OK : fmb_mem_status(m))
+#define FMB_GET_ZERO(m, p, count)                                                                  \
+    ((p) = fmb_mem_zero(m, count, sizeof *(p)), (p) ? FMB_OK : fmb_mem_status(m))
+
+/* Grow *p, an array of *capacity elements, to hold at least need, by doubling; the second knows
+ * the size of an element by the type of p. */
 fmb_status fmb_mem_reserve(fmb_mem *m, void **p, size_t *capacity, size_t need, size_t size);
+#define FMB_RESERVE(m, p, capacity, need)                                                          \
+    fmb_mem_reserve(m, (void **)(p), capacity, need, sizeof **(p))
 
 /* Count bytes that come from elsewhere; false (nothing charged) if the limit forbids it. */
 bool fmb_mem_charge(fmb_mem *m, size_t bytes);

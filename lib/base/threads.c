@@ -31,9 +31,7 @@ static void *work_for_rounds(void *threads)
 fmb_status fmb_threads_open(fmb_threads *t, fmb_mem *mem, size_t wanted)
 {
     *t = (fmb_threads){.mem = mem};
-    t->thread = fmb_mem_zero(mem, wanted, sizeof *t->thread);
-    if (!t->thread)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_GET_ZERO(mem, t->thread, wanted));
     t->room = wanted;
     pthread_mutex_init(&t->lock, NULL);
     pthread_cond_init(&t->work, NULL);

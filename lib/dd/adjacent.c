@@ -27,7 +27,7 @@ static fmb_status gather_supports(const fmb_cone *c, fmb_mem *mem, fmb_support_p
                                   const uint32_t *ray, size_t count)
 {
     size_t words = c->ray.words, stride = (count + 7) / 8 * 8;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&s->word, &s->capacity, words * stride, sizeof *s->word));
+    FMB_TRY(FMB_RESERVE(mem, &s->word, &s->capacity, words * stride));
     for (size_t j = 0; j < count; j++) {
         const uint64_t *from = fmb_rays_support(&c->ray, ray[j]);
         for (size_t k = 0; k < words; k++)
@@ -45,7 +45,7 @@ static fmb_status mark_far_supports(fmb_run *run, const fmb_support_planes *s, c
                                     size_t most, uint64_t **far, size_t *capacity)
 {
     size_t words = s->planes.stride / 64 + 1;
-    FMB_TRY(fmb_mem_reserve(run->mem, (void **)far, capacity, words, sizeof **far));
+    FMB_TRY(FMB_RESERVE(run->mem, far, capacity, words));
     memset(*far, 0, words * sizeof **far);
     fmb_run_count(run, s->planes.count * s->planes.words / 4);
     run->kernels->larger(&s->planes, a, (int)most, *far);
@@ -73,8 +73,7 @@ static fmb_status gather_near_rays(fmb_cone *c, fmb_run *run, fmb_adjacency *p, 
 {
     const fmb_insertion *s = c->at;
     FMB_TRY(s->rest.ready ? FMB_OK : fmb_adjacency_gather_rest(c));
-    FMB_TRY(fmb_mem_reserve(run->mem, (void **)&p->nearby, &p->nearby_capacity, s->rays,
-                            sizeof *p->nearby));
+    FMB_TRY(FMB_RESERVE(run->mem, &p->nearby, &p->nearby_capacity, s->rays));
     FMB_TRY(mark_far_supports(run, &s->rest, fmb_rays_support(&c->ray, a), most, &p->far_rest,
                               &p->far_rest_capacity));
     size_t n = list_unmarked_rays(p->far, s->ray, s->large, p->nearby, 0);
@@ -125,8 +124,7 @@ static fmb_status list_crowded_rays(fmb_cone *c, const fmb_edge_sides *of)
 {
     fmb_insertion *s = c->at;
     fmb_mem *mem = c->run->mem;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&s->crowded, &s->crowded_capacity, of->larges,
-                            sizeof *s->crowded));
+    FMB_TRY(FMB_RESERVE(mem, &s->crowded, &s->crowded_capacity, of->larges));
     s->crowds = 0;
     for (size_t j = 0; j < of->larges; j++)
         if (!fmb_is_simple(of, of->large[j]))
@@ -152,10 +150,8 @@ fmb_status fmb_adjacency_gather_rest(fmb_cone *c)
 
 static fmb_status reserve_pairs(const fmb_cone *c, fmb_adjacency *p, fmb_mem *mem)
 {
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&p->joint, &p->joint_capacity, c->ray.words,
-                            sizeof *p->joint));
-    return fmb_mem_reserve(mem, (void **)&p->found, &p->found_capacity, c->at->large + c->rank,
-                           sizeof *p->found);
+    FMB_TRY(FMB_RESERVE(mem, &p->joint, &p->joint_capacity, c->ray.words));
+    return FMB_RESERVE(mem, &p->found, &p->found_capacity, c->at->large + c->rank);
 }
 
 /* The neighbours of a simple ray, number i: at its edges, and among those that are not simple. */

@@ -27,8 +27,7 @@ fmb_status fmb_cone_rows_write(fmb_cone_rows *r, fmb_arena *arena, fmb_run *run,
         write(of, i, z, &r->row[i]);
         v->s = fmb_arena_get(arena, d, sizeof *v->s);
         st = v->s ? fmb_vec_set_z(v, d, z, run->mem) : fmb_mem_status(arena->mem);
-        if (st == FMB_OK)
-            st = fmb_run_poll(run);
+        FMB_THEN(st, fmb_run_poll(run));
     }
     fmb_vec_block_free(z, d, run->mem);
     return st;

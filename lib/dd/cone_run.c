@@ -221,8 +221,7 @@ fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done)
     while (st == FMB_OK && is_cone_unfinished(c) && c->made < most &&
            !fmb_run_is_slice_over(c->run)) {
         st = go_on_with_rows(c, most);
-        if (st == FMB_OK)
-            st = fmb_run_poll(c->run);
+        FMB_THEN(st, fmb_run_poll(c->run));
     }
     fmb_trend_pause(&c->trend, c->run->work);
     *done = st == FMB_OK && !is_cone_unfinished(c);

@@ -50,11 +50,8 @@ fmb_status fmb_ray_edges_begin(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_r
     size_t edges = of->smalls * e->degree, size = 64;
     while (size < 2 * edges)
         size *= 2;
-    fmb_status st =
-        fmb_mem_reserve(run->mem, (void **)&e->edge, &e->edge_capacity, edges, sizeof *e->edge);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(run->mem, (void **)&e->table, &e->table_capacity, size,
-                             sizeof *e->table);
+    fmb_status st = FMB_RESERVE(run->mem, &e->edge, &e->edge_capacity, edges);
+    FMB_THEN(st, FMB_RESERVE(run->mem, &e->table, &e->table_capacity, size));
     e->mask = size - 1;
     if (st == FMB_OK)
         memset((void *)e->table, 0xff, size * sizeof *e->table);

@@ -21,12 +21,9 @@ static fmb_status find_neighbours_of_chunk(void *self, size_t k, fmb_run *run)
     p->founds = 0;
     for (size_t i = 0; st == FMB_OK && i < p->rays; i++) {
         st = fmb_run_poll(run);
-        if (st == FMB_OK)
-            st = fmb_find_adjacent(c, run, &p->pairs, p->first + i);
+        FMB_THEN(st, fmb_find_adjacent(c, run, &p->pairs, p->first + i));
         size_t n = st == FMB_OK ? p->pairs.founds : 0;
-        if (st == FMB_OK)
-            st = fmb_mem_reserve(run->mem, (void **)&p->found, &p->found_capacity, p->founds + n,
-                                 sizeof *p->found);
+        FMB_THEN(st, FMB_RESERVE(run->mem, &p->found, &p->found_capacity, p->founds + n));
         for (size_t j = 0; st == FMB_OK && j < n; j++)
             p->found[p->founds++] = p->pairs.found[j];
         p->end[i] = p->founds;
@@ -93,8 +90,7 @@ static fmb_status make_rays_of_chunk(void *self, size_t k, fmb_run *run)
             if (st == FMB_OK)
                 fmb_cone_count_negatives(c, &c->ray.v[at], 1, p->negatives);
             fmb_run_count(run, fmb_work_of_ray(&c->ray.v[at], c->ray.width));
-            if (st == FMB_OK)
-                st = fmb_run_poll(run);
+            FMB_THEN(st, fmb_run_poll(run));
         }
     }
     p->bytes = run->mem->used - before;

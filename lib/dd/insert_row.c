@@ -46,8 +46,7 @@ static fmb_status move_along_line(fmb_cone *c, fmb_vec *v, const fmb_vec *line, 
 static fmb_status make_ray_of_line(fmb_cone *c, size_t row, size_t entry, size_t i)
 {
     fmb_status st = fmb_rays_reserve_bits(&c->ray, c->bits + 1);
-    if (st == FMB_OK)
-        st = fmb_rays_add(&c->ray);
+    FMB_THEN(st, fmb_rays_add(&c->ray));
     if (st != FMB_OK)
         return st;
     fmb_vec *v = &c->ray.v[c->ray.size - 1];
@@ -139,9 +138,8 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
     if (rays >= UINT32_MAX / 2)
         return FMB_ERR_MEMORY;
     FMB_TRY(fmb_rays_reserve_bits(&c->ray, c->bits + 1));
-    FMB_TRY(fmb_mem_reserve(c->run->mem, (void **)&s->ray, &s->ray_capacity, rays, sizeof *s->ray));
-    FMB_TRY(
-        fmb_mem_reserve(c->run->mem, (void **)&s->sign, &s->sign_capacity, rays, sizeof *s->sign));
+    FMB_TRY(FMB_RESERVE(c->run->mem, &s->ray, &s->ray_capacity, rays));
+    FMB_TRY(FMB_RESERVE(c->run->mem, &s->sign, &s->sign_capacity, rays));
     s->entry = entry;
     s->row = row;
     s->rays = rays;
@@ -169,8 +167,7 @@ static fmb_status pair_next_ray(fmb_cone *c)
     fmb_insertion *s = c->at;
     uint32_t a = s->ray[s->large + s->next];
     fmb_status st = fmb_run_poll(c->run);
-    if (st == FMB_OK)
-        st = fmb_find_adjacent(c, c->run, &s->pairs, s->next);
+    FMB_THEN(st, fmb_find_adjacent(c, c->run, &s->pairs, s->next));
     s->next++;
     for (size_t k = 0; st == FMB_OK && k < s->pairs.founds; k++)
         st = add_ray_of_pair(c, a, s->pairs.found[k]);

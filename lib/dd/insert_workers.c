@@ -9,17 +9,14 @@
 
 static fmb_status equip_chunk(fmb_cone *c, fmb_insertion_chunk *p, fmb_run *run)
 {
-    p->negatives = fmb_mem_get(run->mem, c->of.m, sizeof *p->negatives);
-    if (!p->negatives)
-        return fmb_mem_status(run->mem);
+    FMB_TRY(FMB_GET(run->mem, p->negatives, c->of.m));
     return fmb_run_open_num(run, &p->num, c->ray.width, c->of.wide_only);
 }
 
 fmb_status fmb_insertion_hire(fmb_cone *c)
 {
-    fmb_insertion_workers *w = fmb_mem_zero(c->run->mem, 1, sizeof *w);
-    if (!w)
-        return fmb_mem_status(c->run->mem);
+    fmb_insertion_workers *w;
+    FMB_TRY(FMB_GET_ZERO(c->run->mem, w, 1));
     c->at->workers = w;
     w->m = c->of.m;
     FMB_TRY(fmb_team_open(&w->team, c->run, FMB_INSERTION_CHUNKS));
@@ -144,8 +141,7 @@ static fmb_status set_values_of_chunk(void *self, size_t k, fmb_run *run)
     w->chunk[k].num.mem = &aside;
     for (size_t i = part.from; st == FMB_OK && i < part.to; i++) {
         st = fmb_vec_set_product(&c->ray.v[i], c->coords, c->ray.width, w->row, &w->chunk[k].num);
-        if (st == FMB_OK)
-            st = fmb_run_poll(run);
+        FMB_THEN(st, fmb_run_poll(run));
     }
     w->chunk[k].num.mem = run->mem;
     note_bytes_of_chunk(c, k, before, aside.used);
@@ -163,8 +159,7 @@ static fmb_status set_values_of_rays(fmb_cone *c, const fmb_vec *row)
     }
     for (size_t i = 0; st == FMB_OK && i < c->ray.size; i++) {
         st = fmb_vec_set_product(&c->ray.v[i], c->coords, c->ray.width, row, &c->num);
-        if (st == FMB_OK)
-            st = fmb_run_poll(c->run);
+        FMB_THEN(st, fmb_run_poll(c->run));
     }
     return st;
 }

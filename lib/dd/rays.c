@@ -22,9 +22,8 @@ void fmb_rays_clear(fmb_rays *r)
 fmb_status fmb_rays_add_many(fmb_rays *r, size_t n)
 {
     size_t size = r->size + n;
-    FMB_TRY(fmb_mem_reserve(r->mem, (void **)&r->v, &r->capacity, size, sizeof *r->v));
-    FMB_TRY(fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, size * r->words,
-                            sizeof *r->support));
+    FMB_TRY(FMB_RESERVE(r->mem, &r->v, &r->capacity, size));
+    FMB_TRY(FMB_RESERVE(r->mem, &r->support, &r->capacity_words, size * r->words));
     for (; r->made < size; r->made++) {
         int64_t *s = fmb_arena_get(&r->arena, r->width, sizeof *s);
         if (!s)
@@ -54,8 +53,7 @@ fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits)
         return FMB_OK;
     while (64 * words < bits)
         words *= 2;
-    FMB_TRY(fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, r->size * words,
-                            sizeof *r->support));
+    FMB_TRY(FMB_RESERVE(r->mem, &r->support, &r->capacity_words, r->size * words));
     for (size_t i = r->size; i-- > 0;) {
         uint64_t *to = r->support + i * words;
         memmove(to, r->support + i * old, old * sizeof *to);

@@ -184,10 +184,8 @@ static fmb_status make_system(fmb_maker *m)
     if (!count_columns(m))
         return FMB_ERR_ARG;
     fmb_status st = open_work(m, &m->s->mem);
-    if (st == FMB_OK)
-        st = add_names(m);
-    if (st == FMB_OK)
-        st = fmb_maker_rows(m);
+    FMB_THEN(st, add_names(m));
+    FMB_THEN(st, fmb_maker_rows(m));
     close_work(m, &m->s->mem);
     return st;
 }
@@ -205,8 +203,7 @@ static fmb_status make_system_from(const fmb_frame *f, const fmb_frame_q *q, siz
     mem->limit = run ? run->mem->limit : 0;
     fmb_status st = f ? fmb_scene_of_doubles(&m.scene, f, n, mem, run)
                       : fmb_scene_of_rationals(&m.scene, q, n, mem, run);
-    if (st == FMB_OK)
-        st = make_system(&m);
+    FMB_THEN(st, make_system(&m));
     fmb_scene_clear(&m.scene);
     if (st == FMB_ERR_MEMORY)
         st = fmb_mem_status(mem);

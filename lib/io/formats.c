@@ -195,8 +195,7 @@ static fmb_status parse_with_codec(fmb_cursor *c, void *out)
 {
     fmb_system *s = NULL;
     fmb_status st = fmb_system_new(0, c->how->mem, &s);
-    if (st == FMB_OK)
-        st = read_with_codec(c, s);
+    FMB_THEN(st, read_with_codec(c, s));
     if (st == FMB_OK)
         *(fmb_system **)out = s;
     else

@@ -88,8 +88,7 @@ fmb_status fmb_system_add_terms_text(fmb_system *s, size_t n, const int *var,
     fmb_mem_init(&r.mem, &s->mem.alloc, 0);
     fmb_draft_init(&r.draft, &r.mem);
     fmb_status st = read_terms(&r, n, var, coef);
-    if (st == FMB_OK)
-        st = read_number_of_row(&r, b, "right side", r.draft.rhs);
+    FMB_THEN(st, read_number_of_row(&r, b, "right side", r.draft.rhs));
     if (st == FMB_ERR_PARSE)
         (void)fmb_system_refuse(s, "%s", r.wrong);
     if (st == FMB_OK) {
@@ -114,8 +113,7 @@ fmb_status fmb_io_row_numbers(size_t n, const int *var, const char *const *coef,
         r.c.budget = row_budget(n, coef, b);
     for (size_t k = 0; st == FMB_OK && k < n; k++)
         st = read_coefficient(&r, k, coef[k], q[k]);
-    if (st == FMB_OK)
-        st = read_number_of_row(&r, b, "right side", q[n]);
+    FMB_THEN(st, read_number_of_row(&r, b, "right side", q[n]));
     memcpy(wrong, r.wrong, sizeof r.wrong);
     return st;
 }

@@ -117,8 +117,7 @@ fmb_status fmb_lift_hull(fmb_system *lift, const fmb_system *like, const fmb_sys
         st = fmb_mem_status(&lift->mem);
     fmb_status opened = fmb_lift_open_copies(&c, lift, like, s, n);
     st = st == FMB_OK ? opened : st;
-    if (st == FMB_OK)
-        st = append_weighted_systems(&c, lift, &r, weight);
+    FMB_THEN(st, append_weighted_systems(&c, lift, &r, weight));
     fmb_lift_close_copies(&c, lift);
     close_lifted_row(&r, lift);
     fmb_mem_put(&lift->mem, weight, n, sizeof *weight);
@@ -164,12 +163,10 @@ static fmb_status lift_generators(fmb_system *lift, const fmb_generators *g, con
     fmb_status st = open_lifted_row(&r, lift, n + 1);
     if (st == FMB_OK && (!weight || !vertex))
         st = fmb_mem_status(&lift->mem);
-    if (st == FMB_OK)
-        st = fmb_lift_add_answer(lift, like);
+    FMB_THEN(st, fmb_lift_add_answer(lift, like));
     for (size_t i = 0; st == FMB_OK && i < n; i++)
         st = fmb_lift_add_fresh(lift, WEIGHT[fmb_generators_kind(g, i)], i + 1, &weight[i]);
-    if (st == FMB_OK)
-        st = append_combination(&r, lift, g, weight, vertex);
+    FMB_THEN(st, append_combination(&r, lift, g, weight, vertex));
     close_lifted_row(&r, lift);
     fmb_mem_put(&lift->mem, vertex, n, sizeof *vertex);
     fmb_mem_put(&lift->mem, weight, n, sizeof *weight);

@@ -28,13 +28,11 @@ static fmb_status join_graph_and_copy(fmb_system *lift, const fmb_system *s,
     fmb_status st = fmb_lift_add_answer_of_graph(lift, s, graph);
     for (int i = d; i < fmb_system_dim(graph); i++)
         var[i] = i - d;
-    if (st == FMB_OK)
-        st = fmb_lift_add_copies(lift, s, 0, copy);
+    FMB_THEN(st, fmb_lift_add_copies(lift, s, 0, copy));
     for (int j = 0, i = 0; st == FMB_OK && j < fmb_system_dim(s); j++)
         if (fmb_system_keeps(s, j))
             var[i++] = copy[j];
-    if (st == FMB_OK)
-        st = fmb_system_join(lift, graph, var);
+    FMB_THEN(st, fmb_system_join(lift, graph, var));
     return st == FMB_OK ? fmb_system_join(lift, s, copy) : st;
 }
 
@@ -57,8 +55,7 @@ fmb_status fmb_lift_sum(fmb_system *lift, const fmb_system *const *s, size_t n)
 {
     fmb_lift_copies c;
     fmb_status st = fmb_lift_open_copies(&c, lift, s[0], s, n);
-    if (st == FMB_OK)
-        st = fmb_lift_append_sums(&c, lift);
+    FMB_THEN(st, fmb_lift_append_sums(&c, lift));
     for (size_t k = 0; st == FMB_OK && k < n; k++)
         st = fmb_system_join(lift, s[k], c.var[k]);
     fmb_lift_close_copies(&c, lift);

@@ -248,8 +248,7 @@ static fmb_status halve_leading_bits(half_gcd *h, transform *m, const mpz_t a, c
     mpz_tdiv_q_2exp(x, a, cut);
     mpz_tdiv_q_2exp(y, b, cut);
     fmb_status st = halve(h, &piece, x, y);
-    if (st == FMB_OK)
-        st = multiply_matrix(h, &piece, m);
+    FMB_THEN(st, multiply_matrix(h, &piece, m));
     close_matrix(&piece);
     mpz_clears(x, y, NULL);
     return st;

@@ -11,9 +11,8 @@
 
 fmb_status fmb_rationals_new(mpq_t **out, size_t n, fmb_mem *mem)
 {
-    mpq_t *x = fmb_mem_get(mem, n, sizeof *x);
-    if (!x)
-        return fmb_mem_status(mem);
+    mpq_t *x;
+    FMB_TRY(FMB_GET(mem, x, n));
     if (!fmb_mem_charge(mem, n * FIRST_LIMB)) {
         fmb_mem_put(mem, x, n, sizeof *x);
         return fmb_mem_status(mem);

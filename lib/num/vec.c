@@ -9,9 +9,7 @@ fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only)
 {
     *k =
         (fmb_num){.mem = mem, .wide_only = wide_only, .kernels = fmb_kernels_choose(FMB_SIMD_AUTO)};
-    k->scratch = fmb_mem_get(mem, n, sizeof *k->scratch);
-    if (!k->scratch)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_GET(mem, k->scratch, n));
     k->scratch_size = n;
     mpz_inits(k->p, k->q, k->t, NULL);
     return FMB_OK;

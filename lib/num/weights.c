@@ -3,10 +3,8 @@
 
 fmb_status fmb_weights_add(fmb_weights *w, uint32_t row, const mpq_t value, fmb_mem *mem)
 {
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&w->index, &w->index_capacity, w->size + 1,
-                            sizeof *w->index));
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&w->value, &w->value_capacity, w->size + 1,
-                            sizeof *w->value));
+    FMB_TRY(FMB_RESERVE(mem, &w->index, &w->index_capacity, w->size + 1));
+    FMB_TRY(FMB_RESERVE(mem, &w->value, &w->value_capacity, w->size + 1));
     mpq_init(w->value[w->size]);
     mpq_set(w->value[w->size], value);
     w->index[w->size++] = row;

@@ -23,8 +23,7 @@ fmb_status fmb_pair_oracle_open(fmb_pair_oracle *x, const fmb_pair_options *o,
     how.evidence = FMB_EVIDENCE_NONE;
     fmb_status st = fmb_solver_new(&how, hook, &x->solver);
     how.evidence = FMB_EVIDENCE_ALL;
-    if (st == FMB_OK)
-        st = fmb_solver_new(&how, hook, &x->proving);
+    FMB_THEN(st, fmb_solver_new(&how, hook, &x->proving));
     if (st == FMB_OK)
         x->solver->within = x->proving->within = &x->run;
     return st;
@@ -56,8 +55,7 @@ fmb_status fmb_pair_oracle_decide(fmb_pair_oracle *x, const fmb_frame *p, const 
     fmb_system *s = NULL;
     fmb_result res = {.size = sizeof res};
     fmb_status st = start_query(x, p, q, FMB_COORDINATES_EACH, &s);
-    if (st == FMB_OK)
-        st = fmb_solve(x->solver, s, &res);
+    FMB_THEN(st, fmb_solve(x->solver, s, &res));
     if (st == FMB_OK || st == FMB_LIMIT)
         *out = res.verdict;
     fmb_system_free(s);
@@ -113,9 +111,8 @@ static fmb_status bound_variables_asked(fmb_pair_oracle *x, const fmb_system *s,
     size_t most = 2 * (size_t)p->dim + 1;
     fmb_box *box = NULL;
     fmb_result res = {.size = sizeof res};
-    int *vars = fmb_mem_get(&x->mem, most, sizeof *vars);
-    if (!vars)
-        return fmb_mem_status(&x->mem);
+    int *vars;
+    FMB_TRY(FMB_GET(&x->mem, vars, most));
     fmb_status st =
         fmb_bound(x->solver, s, vars, list_variables_asked(p, q, out, vars), &box, &res);
     if (st == FMB_OK)

@@ -25,9 +25,7 @@ static fmb_status hire_workers(fmb_pair *k, const fmb_alloc *hook)
     o.threads = 1;
     if (k->threads == 1)
         return FMB_OK;
-    k->workers = fmb_mem_zero(&k->mem, (size_t)k->threads - 1, sizeof *k->workers);
-    if (!k->workers)
-        return fmb_mem_status(&k->mem);
+    FMB_TRY(FMB_GET_ZERO(&k->mem, k->workers, (size_t)k->threads - 1));
     for (int i = 0; i < k->threads - 1; i++)
         FMB_TRY(fmb_pair_new(k->dim, &o, hook, &k->workers[i]));
     return FMB_OK;
@@ -89,9 +87,8 @@ fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hoo
         return FMB_ERR_ARG;
     o = &options;
     fmb_mem_init(&mem, hook, 0);
-    fmb_pair *k = fmb_mem_zero(&mem, 1, sizeof *k);
-    if (!k)
-        return fmb_mem_status(&mem);
+    fmb_pair *k;
+    FMB_TRY(FMB_GET_ZERO(&mem, k, 1));
     k->mem = mem;
     k->options = *o;
     k->dim = dim;
@@ -104,8 +101,7 @@ fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hoo
     k->general = fmb_general_new(dim, o->simd, &k->mem);
     bool good = k->general && (k->minors || !fmb_minors_is_dim(dim));
     fmb_status st = good ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;
-    if (st == FMB_OK)
-        st = hire_workers(k, hook);
+    FMB_THEN(st, hire_workers(k, hook));
     if (st == FMB_OK)
         *out = k;
     else

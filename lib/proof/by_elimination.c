@@ -79,7 +79,7 @@ static fmb_status write_said_row(matching *m, const fmb_claim *c, int sign, fmb_
 
 static fmb_status add_said_row(matching *m, const fmb_claim *c, int sign)
 {
-    FMB_TRY(fmb_mem_reserve(m->mem, (void **)&m->said, &m->capacity, m->size + 1, sizeof *m->said));
+    FMB_TRY(FMB_RESERVE(m->mem, &m->said, &m->capacity, m->size + 1));
     said_row *r = &m->said[m->size++];
     *r = (said_row){.strict = c->rel == FMB_LT};
     FMB_TRY(write_said_row(m, c, sign, &r->z));
@@ -233,10 +233,8 @@ fmb_status fmb_by_elimination_match(const fmb_elimination *of, const fmb_evidenc
     matching m = {.of = of, .e = e, .mem = of->mem, .k = q->terms.size};
     *why = NULL;
     fmb_status st = open_matching(&m, q);
-    if (st == FMB_OK)
-        st = list_said_rows(&m);
-    if (st == FMB_OK)
-        st = look_at_all_rows(&m, unsaid, why);
+    FMB_THEN(st, list_said_rows(&m));
+    FMB_THEN(st, look_at_all_rows(&m, unsaid, why));
     close_matching(&m);
     return st;
 }
@@ -290,8 +288,7 @@ fmb_status fmb_by_elimination_check(const fmb_system *s, const fmb_evidence *e, 
         return FMB_OK;
     }
     fmb_status st = fmb_elimination_open(&of, s, MOST_WORK, mem, poll);
-    if (st == FMB_OK)
-        st = go_all_steps(&of, q, why);
+    FMB_THEN(st, go_all_steps(&of, q, why));
     if (st == FMB_OK && !*why)
         st = fmb_by_elimination_match(&of, e, q, NULL, why);
     fmb_elimination_close(&of);

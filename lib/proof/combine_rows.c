@@ -177,8 +177,7 @@ fmb_status fmb_place_side(fmb_place *p, const fmb_sysrow *row, int *side)
     const fmb_fractions *x = &p->x;
     size_t n = 0;
     bool sorted = true;
-    fmb_status st = fmb_mem_reserve(x->mem, (void **)&p->product, &p->capacity, row->nnz + 1,
-                                    sizeof *p->product);
+    fmb_status st = FMB_RESERVE(x->mem, &p->product, &p->capacity, row->nnz + 1);
     for (size_t k = 0; st == FMB_OK && k <= row->nnz; k++) {
         size_t of = k < row->nnz ? p->of[row->var[k]] : x->size;
         if (of == 0)

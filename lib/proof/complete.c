@@ -207,8 +207,7 @@ static fmb_status find_rank(assembly *a, fmb_integers *v, size_t n, size_t *foun
                 mpz_addmul(v[i].z[k], a->z, chosen.z[k]);
             }
             st = fmb_integers_reduce(v[i].z, v[i].size, a->t, a->poll);
-            if (st == FMB_OK)
-                st = fmb_poll_ask(a->poll);
+            FMB_THEN(st, fmb_poll_ask(a->poll));
         }
     }
     *found = rank;
@@ -411,8 +410,7 @@ static fmb_status check_faces(assembly *a, const char **why, bool *on)
     if (linear && st == FMB_OK && end == FMB_LATTICE_OPEN && may_be_more) {
         size_t before = equations + lines;
         st = find_rank(a, a->form + a->rows, a->equations, &equations);
-        if (st == FMB_OK)
-            st = find_rank(a, a->vector, n, &lines);
+        FMB_THEN(st, find_rank(a, a->vector, n, &lines));
         if (st == FMB_OK && equations + lines > before)
             st = check_faces_of(a, equations + lines, &end);
     }
@@ -453,16 +451,11 @@ fmb_status fmb_complete_check(const fmb_system *s, const fmb_evidence *e, const 
     assembly a = {.s = s, .e = e, .mem = mem, .poll = poll};
     mpz_inits(a.t, a.z, NULL);
     fmb_status st = list_kept_variables(&a, q);
-    if (st == FMB_OK)
-        st = list_rows_and_corners(&a);
-    if (st == FMB_OK)
-        st = write_out_numbers(&a);
-    if (st == FMB_OK)
-        st = find_zeros(&a);
-    if (st == FMB_OK)
-        st = find_strict_insides(&a);
-    if (st == FMB_OK)
-        st = check_faces(&a, why, on);
+    FMB_THEN(st, list_rows_and_corners(&a));
+    FMB_THEN(st, write_out_numbers(&a));
+    FMB_THEN(st, find_zeros(&a));
+    FMB_THEN(st, find_strict_insides(&a));
+    FMB_THEN(st, check_faces(&a, why, on));
     clear_assembly(&a);
     return st;
 }

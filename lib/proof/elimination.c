@@ -25,7 +25,7 @@ typedef struct pair_list {
 
 static fmb_status append_empty_row(fmb_elimination *e, fmb_rel rel)
 {
-    FMB_TRY(fmb_mem_reserve(e->mem, (void **)&e->row, &e->capacity, e->rows + 1, sizeof *e->row));
+    FMB_TRY(FMB_RESERVE(e->mem, &e->row, &e->capacity, e->rows + 1));
     fmb_eliminated_row *r = &e->row[e->rows++];
     *r = (fmb_eliminated_row){.rel = rel, .of = fmb_mem_zero(e->mem, e->words, sizeof *r->of)};
     return r->of ? fmb_integers_init(&r->z, e->dim + 1, e->mem) : fmb_mem_status(e->mem);
@@ -122,8 +122,7 @@ static fmb_status list_pairs(fmb_elimination *e, size_t v, pair_list *l, bool *d
             row_pair pair = {p, q, count_union(e, p, q)};
             if (pair.size > e->pairings + 1)
                 continue;
-            FMB_TRY(fmb_mem_reserve(e->mem, (void **)&l->pair, &l->capacity, l->size + 1,
-                                    sizeof *l->pair));
+            FMB_TRY(FMB_RESERVE(e->mem, &l->pair, &l->capacity, l->size + 1));
             l->pair[l->size++] = pair;
         }
         e->work += e->rows * e->words;
@@ -191,8 +190,7 @@ static fmb_status pair_rows(fmb_elimination *e, size_t v, bool *done)
     uint64_t *set = fmb_mem_get(e->mem, e->words, sizeof *set);
     fmb_status st = set ? FMB_OK : fmb_mem_status(e->mem);
     e->pairings++;
-    if (st == FMB_OK)
-        st = list_pairs(e, v, &l, done);
+    FMB_THEN(st, list_pairs(e, v, &l, done));
     if (l.size > 1)
         qsort(l.pair, l.size, sizeof *l.pair, compare_pairs);
     for (size_t i = 0; st == FMB_OK && *done && i < l.size; i++) {

@@ -60,9 +60,8 @@ static size_t *find_slot_of_face(const faces_of_level *at, const uint64_t *set, 
 static fmb_status double_slots(faces_of_level *at, size_t words, fmb_mem *mem)
 {
     size_t slots = at->slots > 0 ? 2 * at->slots : 64;
-    size_t *slot = fmb_mem_zero(mem, slots, sizeof *slot);
-    if (!slot)
-        return fmb_mem_status(mem);
+    size_t *slot;
+    FMB_TRY(FMB_GET_ZERO(mem, slot, slots));
     fmb_mem_put(mem, at->slot, at->slots, sizeof *slot);
     at->slot = slot;
     at->slots = slots;
@@ -354,12 +353,10 @@ fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t d
     w.part = fmb_mem_get(mem, l->words, sizeof *w.part);
     w.face = fmb_mem_get(mem, l->words, sizeof *w.face);
     fmb_status st = w.set && w.cut && w.facet && w.part && w.face ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = add_face(&w.here, top, l->words, mem);
+    FMB_THEN(st, add_face(&w.here, top, l->words, mem));
     if (dimension == 0)
         w.end = FMB_LATTICE_OPEN;
-    if (st == FMB_OK)
-        st = walk_down(&w, dimension, poll);
+    FMB_THEN(st, walk_down(&w, dimension, poll));
     clear_level(&w.here, mem);
     clear_level(&w.below, mem);
     fmb_mem_put(mem, w.set, words, sizeof *w.set);

@@ -87,13 +87,11 @@ static fmb_status form_groups(fmb_fractions *w, const lone_weight *x)
 fmb_status fmb_fractions_share(fmb_fractions *w)
 {
     fmb_status st = fmb_integers_settle(&w->num, w->mem);
-    if (st == FMB_OK)
-        st = fmb_integers_settle(&w->den, w->mem);
+    FMB_THEN(st, fmb_integers_settle(&w->den, w->mem));
     if (st != FMB_OK)
         return st;
-    lone_weight *x = fmb_mem_get(w->mem, w->size, sizeof *x);
-    if (!x)
-        return fmb_mem_status(w->mem);
+    lone_weight *x;
+    FMB_TRY(FMB_GET(w->mem, x, w->size));
     for (size_t i = 0; i < w->size; i++) {
         x[i].i = i;
         mpz_init(x[i].den);
@@ -104,8 +102,7 @@ fmb_status fmb_fractions_share(fmb_fractions *w)
     for (size_t i = 0; i < w->size; i++)
         mpz_clear(x[i].den);
     fmb_mem_put(w->mem, x, w->size, sizeof *x);
-    if (st == FMB_OK)
-        st = fmb_integers_settle(&w->num, w->mem);
+    FMB_THEN(st, fmb_integers_settle(&w->num, w->mem));
     return st == FMB_OK ? fmb_integers_settle(&w->den, w->mem) : st;
 }
 
@@ -175,10 +172,8 @@ static fmb_status add_by_halves(const fmb_fractions *w, const fmb_product *p, si
     mpz_t more, den_more;
     mpz_inits(more, den_more, NULL);
     fmb_status st = add_by_halves(w, p, cut, num, den);
-    if (st == FMB_OK)
-        st = add_by_halves(w, p + cut, n - cut, more, den_more);
-    if (st == FMB_OK)
-        st = fmb_poll_ask(w->poll);
+    FMB_THEN(st, add_by_halves(w, p + cut, n - cut, more, den_more));
+    FMB_THEN(st, fmb_poll_ask(w->poll));
     if (st == FMB_OK)
         add_fraction(num, den, more, den_more);
     mpz_clears(more, den_more, NULL);

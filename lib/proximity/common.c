@@ -13,8 +13,7 @@ static fmb_status drop_coordinates(const fmb_generators *g, int first, bool last
     fmb_generators *small = NULL;
     mpq_t *x = NULL;
     fmb_status st = fmb_generators_new(n, mem, &small);
-    if (st == FMB_OK)
-        st = fmb_rationals_new(&x, (size_t)n, &small->mem);
+    FMB_THEN(st, fmb_rationals_new(&x, (size_t)n, &small->mem));
     for (size_t i = 0; st == FMB_OK && i < fmb_generators_size(g); i++) {
         for (int j = 0; j < n; j++)
             fmb_generators_coordinate_q(g, i, j < first ? j : dim - 1, x[j]);
@@ -48,8 +47,7 @@ static fmb_status find_from_all(fmb_solver *v, const fmb_two *two, fmb_generator
     fmb_system *s = NULL;
     fmb_generators *all = NULL, *points = NULL;
     fmb_status st = fmb_two_system(two, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
-    if (st == FMB_OK)
-        st = fmb_generate(v, s, &all, res);
+    FMB_THEN(st, fmb_generate(v, s, &all, res));
     if (st == FMB_OK && all && res->stop == FMB_STOP_DONE)
         st = drop_coordinates(all, fmb_two_dim(two), fmb_two_moves(two), &v->mem.alloc, &points);
     if (st == FMB_OK && points)

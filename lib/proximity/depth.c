@@ -100,8 +100,7 @@ static fmb_status find_facets(fmb_solver *v, fmb_minkowski *m, fmb_system **out,
     for (int j = 0; keep && j < m->dim; j++)
         keep[j] = j;
     v->options.evidence = FMB_EVIDENCE_NONE;
-    if (st == FMB_OK)
-        st = fmb_project(v, s, keep, m->dim, out, res);
+    FMB_THEN(st, fmb_project(v, s, keep, m->dim, out, res));
     v->options.evidence = wanted;
     v->answered = false;
     fmb_system_free(s);

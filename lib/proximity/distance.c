@@ -77,8 +77,7 @@ static fmb_status ask_smallest_cube(fmb_solver *v, fmb_minkowski *m, fmb_proximi
     FMB_TRY(fmb_minkowski_system(m, &v->mem.alloc, &s));
     int var = fmb_system_dim(s);
     fmb_status st = bound_by_cube(m, s);
-    if (st == FMB_OK)
-        st = minimize_variable(v, s, var, &best, res);
+    FMB_THEN(st, minimize_variable(v, s, var, &best, res));
     if (st == FMB_OK && fmb_optimum_end(best).kind == FMB_END_FINITE) {
         write_optimum(m, best, out);
         res->verdict = mpq_sgn(out->measure) == 0 ? FMB_FEASIBLE : FMB_INFEASIBLE;

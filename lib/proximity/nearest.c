@@ -262,8 +262,7 @@ fmb_status fmb_find_nearest(fmb_minkowski *m, fmb_run *run, fmb_proximity *out,
 {
     wolfe w;
     fmb_status st = open_wolfe(&w, m, run);
-    if (st == FMB_OK)
-        st = find_nearest_corral(&w);
+    FMB_THEN(st, find_nearest_corral(&w));
     if (st == FMB_OK && out)
         write_nearest(&w, out);
     if (st == FMB_OK) {

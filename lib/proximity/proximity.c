@@ -7,9 +7,8 @@ fmb_status fmb_proximity_new(int dim, fmb_norm norm, const fmb_alloc *hook, fmb_
 {
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
-    fmb_proximity *p = fmb_mem_zero(&mem, 1, sizeof *p);
-    if (!p)
-        return fmb_mem_status(&mem);
+    fmb_proximity *p;
+    FMB_TRY(FMB_GET_ZERO(&mem, p, 1));
     mpq_init(p->measure);
     mpq_init(p->time);
     p->mem = mem;
@@ -50,8 +49,7 @@ fmb_status fmb_proximity_ask(fmb_solver *v, fmb_minkowski *m, const char *name,
     FMB_TRY(fmb_system_new(m->dim, &v->mem.alloc, &none));
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_status st = fmb_query_begin(&q, v, none, name);
-    if (st == FMB_OK)
-        st = answer(m, &q.run, out, &verdict);
+    FMB_THEN(st, answer(m, &q.run, out, &verdict));
     st = fmb_query_end(&q, st, verdict, res);
     v->answered = false;
     fmb_system_free(none);
@@ -70,10 +68,8 @@ fmb_status fmb_proximity_find(fmb_solver *v, const fmb_two *two, fmb_norm norm, 
     if (st != FMB_OK)
         return st;
     st = fmb_minkowski_init(&m, two, &v->mem);
-    if (st == FMB_OK)
-        st = fmb_proximity_new(m.dim, norm, &v->mem.alloc, &p);
-    if (st == FMB_OK)
-        st = way(v, &m, p, &r);
+    FMB_THEN(st, fmb_proximity_new(m.dim, norm, &v->mem.alloc, &p));
+    FMB_THEN(st, way(v, &m, p, &r));
     fmb_minkowski_clear(&m);
     bool found =
         st == FMB_OK && (r.verdict == FMB_FEASIBLE || (apart && r.verdict == FMB_INFEASIBLE));

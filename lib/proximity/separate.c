@@ -126,12 +126,10 @@ static fmb_status make_row(fmb_solver *v, const fmb_two *two, const fmb_system *
     fmb_minkowski m;
     fmb_system *row = NULL;
     fmb_status st = fmb_minkowski_init(&m, two, &v->mem);
-    if (st == FMB_OK)
-        st = fmb_system_new(m.dim, &v->mem.alloc, &row);
+    FMB_THEN(st, fmb_system_new(m.dim, &v->mem.alloc, &row));
     if (st == FMB_OK && m.moves)
         st = fmb_system_add_variable(row, "t", NULL);
-    if (st == FMB_OK)
-        st = find_row(&m, s, e, row);
+    FMB_THEN(st, find_row(&m, s, e, row));
     fmb_minkowski_clear(&m);
     if (st == FMB_OK)
         *out = row;
@@ -163,10 +161,8 @@ static fmb_status separate_two(fmb_solver *v, const fmb_two *two, fmb_contact co
     fmb_status st = fmb_two_expect(v, two, out != NULL, res);
     if (st == FMB_OK && (unsigned)contact > FMB_CONTACT_OPEN)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "contact is %d, which is none", (int)contact);
-    if (st == FMB_OK)
-        st = fmb_two_system(two, FMB_COORDINATES_ALL, contact, &v->mem.alloc, &s);
-    if (st == FMB_OK)
-        st = solve_with_evidence(v, s, &e, &r);
+    FMB_THEN(st, fmb_two_system(two, FMB_COORDINATES_ALL, contact, &v->mem.alloc, &s));
+    FMB_THEN(st, solve_with_evidence(v, s, &e, &r));
     if (st == FMB_OK && e)
         st = make_row(v, two, s, e, &row);
     if (st == FMB_OK) {

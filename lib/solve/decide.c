@@ -38,8 +38,7 @@ static fmb_status decide_by_elimination(fmb_query *q, int part, size_t budget, f
         drop[j] = true;
     fmb_status st = fmb_query_load(q, p, false, &e);
     e.budget = budget;
-    if (st == FMB_OK)
-        st = fmb_elim_eliminate(&e, drop);
+    FMB_THEN(st, fmb_elim_eliminate(&e, drop));
     if (st == FMB_OK) {
         *out = e.clash != FMB_NO_ROW ? FMB_INFEASIBLE : FMB_FEASIBLE;
         st = *out == FMB_INFEASIBLE ? fmb_query_claim_clash(q, p, &e)
@@ -62,10 +61,8 @@ static fmb_status claim_oracle_conflict(fmb_query *q, const fmb_part *p, fmb_ora
     if (!q->evidence)
         return FMB_OK;
     fmb_status st = fmb_oracle_conflict(o, &w);
-    if (st == FMB_OK)
-        st = fmb_query_take_oracle_weights(q, p, &w);
-    if (st == FMB_OK)
-        st = fmb_query_claim_infeasible(q, p, &w);
+    FMB_THEN(st, fmb_query_take_oracle_weights(q, p, &w));
+    FMB_THEN(st, fmb_query_claim_infeasible(q, p, &w));
     fmb_weights_clear(&w, q->run.mem);
     return st;
 }
@@ -85,8 +82,7 @@ static fmb_status decide_by_oracle(fmb_query *q, int part, fmb_verdict *out)
     fmb_oracle *o;
     bool feasible;
     fmb_status st = fmb_query_oracle(q, part, &o);
-    if (st == FMB_OK)
-        st = fmb_oracle_feasible(o, &feasible);
+    FMB_THEN(st, fmb_oracle_feasible(o, &feasible));
     fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "oracle", "verdict"), st, true);
     if (st != FMB_OK)
         return st;
@@ -182,7 +178,6 @@ fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res)
         (wants_verdict_only(v) && fmb_way(FMB_WAY_TINY) && decide_on_stack(v, s, res)))
         return st;
     st = fmb_query_resume(&q, v, s, "solve");
-    if (st == FMB_OK)
-        st = fmb_query_decide(&q, false, &verdict);
+    FMB_THEN(st, fmb_query_decide(&q, false, &verdict));
     return fmb_query_end(&q, st, verdict, res);
 }

@@ -193,8 +193,7 @@ fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_sy
     fmb_status st = fmb_query_begin(&q, v, s, "reduce");
     fmb_mem result = {.used = s->mem.used}; /* it is made at the end, but has its place now */
     fmb_mem_enter(&result, &v->mem);
-    if (st == FMB_OK)
-        st = decide_all_rows(&q, mine, &verdict);
+    FMB_THEN(st, decide_all_rows(&q, mine, &verdict));
     fmb_mem_leave(&result);
     if (st == FMB_OK || st == FMB_LIMIT) {
         fmb_status built = verdict == FMB_INFEASIBLE

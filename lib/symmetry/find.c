@@ -219,9 +219,8 @@ static fmb_status take_generators(const permnode *ring, const drawing *d, const 
 {
     size_t n = out->n, length = n + out->m;
     fmb_status st = FMB_OK;
-    uint32_t *image = fmb_mem_get(d->mem, length, sizeof *image);
-    if (!image)
-        return fmb_mem_status(d->mem);
+    uint32_t *image;
+    FMB_TRY(FMB_GET(d->mem, image, length));
     const permnode *g = ring;
     do {
         bool fits;

@@ -99,11 +99,9 @@ static bool is_symmetry(const fmb_group *g, const fmb_program *p, const bool *ke
 static fmb_status append_generator(fmb_group *g, const uint32_t *image)
 {
     size_t length = g->n + g->m;
-    FMB_TRY(
-        fmb_mem_reserve(g->mem, (void **)&g->image, &g->capacity, g->size + 1, sizeof *g->image));
-    uint32_t *copy = fmb_mem_get(g->mem, length, sizeof *copy);
-    if (!copy)
-        return fmb_mem_status(g->mem);
+    FMB_TRY(FMB_RESERVE(g->mem, &g->image, &g->capacity, g->size + 1));
+    uint32_t *copy;
+    FMB_TRY(FMB_GET(g->mem, copy, length));
     memcpy(copy, image, length * sizeof *copy);
     g->image[g->size++] = copy;
     return FMB_OK;
@@ -113,9 +111,8 @@ fmb_status fmb_group_add(fmb_group *g, const fmb_program *p, const bool *keeps,
                          const uint32_t *image, bool *fits)
 {
     size_t most = g->n > g->m ? g->n : g->m;
-    bool *met = fmb_mem_get(g->mem, most, sizeof *met);
-    if (!met)
-        return fmb_mem_status(g->mem);
+    bool *met;
+    FMB_TRY(FMB_GET(g->mem, met, most));
     *fits = is_symmetry(g, p, keeps, image, met);
     fmb_mem_put(g->mem, met, most, sizeof *met);
     return *fits ? append_generator(g, image) : FMB_OK;

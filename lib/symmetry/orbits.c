@@ -21,9 +21,7 @@ fmb_status fmb_orbits_init(fmb_orbits *o, fmb_run *run, const fmb_group *group, 
                            size_t k)
 {
     *o = (fmb_orbits){.run = run, .group = group, .k = k};
-    o->place = fmb_mem_get(run->mem, group->size * k, sizeof *o->place);
-    if (!o->place)
-        return fmb_mem_status(run->mem);
+    FMB_TRY(FMB_GET(run->mem, o->place, group->size * k));
     for (size_t g = 0; g < group->size; g++)
         for (size_t j = 0; j < k; j++)
             o->place[g * k + j] = place_of_column(kept, k, group->image[g][kept[j]]);
@@ -59,9 +57,8 @@ static size_t find_slot(const fmb_orbits *o, const fmb_vec *v)
 static fmb_status double_slots(fmb_orbits *o)
 {
     size_t slots = o->slots > 0 ? 2 * o->slots : 64;
-    uint32_t *slot = fmb_mem_get(o->run->mem, slots, sizeof *slot);
-    if (!slot)
-        return fmb_mem_status(o->run->mem);
+    uint32_t *slot;
+    FMB_TRY(FMB_GET(o->run->mem, slot, slots));
     memset(slot, 0xff, slots * sizeof *slot);
     fmb_mem_put(o->run->mem, o->slot, o->slots, sizeof *o->slot);
     o->slot = slot;
@@ -97,7 +94,7 @@ static fmb_status move_vector(const fmb_orbits *o, const fmb_vec *v, size_t g, f
 static fmb_status make_item(fmb_orbits *o, uint32_t from, uint32_t by, size_t tag)
 {
     fmb_mem *mem = o->run->mem;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&o->item, &o->capacity, o->size + 1, sizeof *o->item));
+    FMB_TRY(FMB_RESERVE(mem, &o->item, &o->capacity, o->size + 1));
     if (2 * (o->size + 1) > o->slots)
         FMB_TRY(double_slots(o));
     fmb_orbit_vector *t = &o->item[o->size];
@@ -146,8 +143,7 @@ fmb_status fmb_orbits_add(fmb_orbits *o, const fmb_vec *v, size_t tag)
     for (size_t i = first; st == FMB_OK && i < o->size && o->size - first < MOST_IMAGES; i++) {
         for (size_t g = 0; st == FMB_OK && g < o->group->size; g++)
             st = add_image(o, i, g);
-        if (st == FMB_OK)
-            st = fmb_run_poll(o->run);
+        FMB_THEN(st, fmb_run_poll(o->run));
     }
     return st;
 }

@@ -68,8 +68,7 @@ bool fmb_permutation_complete(int *image, int n, bool *met)
 
 static fmb_status append_permutation(fmb_permutations *p, const int *image)
 {
-    fmb_status st =
-        fmb_mem_reserve(&p->mem, (void **)&p->image, &p->capacity, p->size + 1, sizeof *p->image);
+    fmb_status st = FMB_RESERVE(&p->mem, &p->image, &p->capacity, p->size + 1);
     int *copy = st == FMB_OK ? fmb_mem_get(&p->mem, (size_t)p->dim, sizeof *copy) : NULL;
     if (!copy)
         return st == FMB_OK ? fmb_mem_status(&p->mem) : st;

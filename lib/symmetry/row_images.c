@@ -253,8 +253,7 @@ fmb_status fmb_row_images_init(fmb_row_images *t, const fmb_system *s, fmb_mem *
     fmb_status st = open_row_images(t);
     fmb_status opened = fmb_num_init(&t->num, mem, t->dim + 1, false);
     st = st == FMB_OK ? opened : st;
-    if (st == FMB_OK)
-        st = open_equalities(t);
+    FMB_THEN(st, open_equalities(t));
     for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++)
         st = enter_row(t, i);
     return st;

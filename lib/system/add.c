@@ -239,9 +239,8 @@ static fmb_status draft_gather(draft *d, const matrix *m, size_t i, fmb_mem *mem
 {
     mpq_t scratch;
     size_t first = first_term(m, i), n = first_term(m, i + 1) - first;
-    place *order = fmb_mem_get(mem, n, sizeof *order);
-    if (!order)
-        return fmb_mem_status(mem);
+    place *order;
+    FMB_TRY(FMB_GET(mem, order, n));
     for (size_t k = 0; k < n; k++)
         order[k] = (place){variable_of_term(m, i, first + k), first + k};
     qsort(order, n, sizeof *order, by_var);
@@ -267,8 +266,7 @@ static fmb_status append_long_row(fmb_system *s, const matrix *m, size_t i, fmb_
     draft d;
     FMB_TRY(draft_init(&d, first_term(m, i + 1) - first_term(m, i), &s->mem));
     fmb_status st = draft_gather(&d, m, i, &s->mem);
-    if (st == FMB_OK)
-        st = draft_append(&d, s, rel);
+    FMB_THEN(st, draft_append(&d, s, rel));
     draft_clear(&d, &s->mem);
     return st;
 }

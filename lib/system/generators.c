@@ -42,10 +42,8 @@ void fmb_generators_free(fmb_generators *g)
 /* Room for one more, which is counted. */
 static fmb_status open_generator(fmb_generators *g, fmb_generator_kind kind, fmb_vec **out)
 {
-    FMB_TRY(
-        fmb_mem_reserve(&g->mem, (void **)&g->vec, &g->vec_capacity, g->size + 1, sizeof *g->vec));
-    FMB_TRY(fmb_mem_reserve(&g->mem, (void **)&g->kind, &g->kind_capacity, g->size + 1,
-                            sizeof *g->kind));
+    FMB_TRY(FMB_RESERVE(&g->mem, &g->vec, &g->vec_capacity, g->size + 1));
+    FMB_TRY(FMB_RESERVE(&g->mem, &g->kind, &g->kind_capacity, g->size + 1));
     fmb_vec v = {.s = fmb_mem_get(&g->mem, (size_t)g->dim + 1, sizeof *v.s)};
     if (!v.s)
         return fmb_mem_status(&g->mem);

@@ -36,9 +36,8 @@ static fmb_status reserve_slots(fmb_names *t, fmb_mem *mem)
         slots *= 2;
     if (slots == t->slots)
         return FMB_OK;
-    int *slot = fmb_mem_get(mem, slots, sizeof *slot);
-    if (!slot)
-        return fmb_mem_status(mem);
+    int *slot;
+    FMB_TRY(FMB_GET(mem, slot, slots));
     fmb_mem_put(mem, t->slot, t->slots, sizeof *slot);
     t->slot = slot;
     t->slots = slots;
@@ -49,7 +48,7 @@ static fmb_status reserve_slots(fmb_names *t, fmb_mem *mem)
 fmb_status fmb_names_add(fmb_names *t, const char *name, fmb_mem *mem)
 {
     FMB_TRY(reserve_slots(t, mem));
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&t->name, &t->capacity, t->size + 1, sizeof *t->name));
+    FMB_TRY(FMB_RESERVE(mem, &t->name, &t->capacity, t->size + 1));
     char *copy = fmb_mem_text(mem, name);
     if (!copy)
         return fmb_mem_status(mem);

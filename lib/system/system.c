@@ -97,7 +97,7 @@ static fmb_status add_name(fmb_system *s, const char *name)
     size_t n = s->names.size;
     if (n >= FMB_DIM_MAX)
         return fmb_system_refuse(s, "more than %d variables", FMB_DIM_MAX);
-    FMB_TRY(fmb_mem_reserve(&s->mem, (void **)&s->mark, &s->mark_capacity, n + 1, sizeof *s->mark));
+    FMB_TRY(FMB_RESERVE(&s->mem, &s->mark, &s->mark_capacity, n + 1));
     FMB_TRY(fmb_names_add(&s->names, name, &s->mem));
     s->mark[n] = (fmb_variable_mark){0};
     return FMB_OK;
@@ -242,8 +242,7 @@ fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label)
 /* Room for a row of n terms, not yet counted in s->rows. */
 static fmb_status open_row(fmb_system *s, size_t n, const int *var, fmb_rel rel, fmb_sysrow **out)
 {
-    FMB_TRY(
-        fmb_mem_reserve(&s->mem, (void **)&s->row, &s->row_capacity, s->rows + 1, sizeof *s->row));
+    FMB_TRY(FMB_RESERVE(&s->mem, &s->row, &s->row_capacity, s->rows + 1));
     fmb_sysrow *r = &s->row[s->rows];
     *r = (fmb_sysrow){.nnz = n, .rel = rel};
     r->var = fmb_mem_get(&s->mem, n, sizeof *r->var);
@@ -360,8 +359,7 @@ fmb_status fmb_system_copy_to(const fmb_system *s, const fmb_alloc *hook, fmb_sy
     fmb_system *t;
     FMB_TRY(fmb_system_new(0, hook, &t));
     fmb_status st = copy_variables(t, s);
-    if (st == FMB_OK)
-        st = copy_objective(t, s);
+    FMB_THEN(st, copy_objective(t, s));
     for (size_t i = 0; st == FMB_OK && i < s->rows; i++)
         st = fmb_system_copy_row(t, &s->row[i]);
     if (st == FMB_OK)

@@ -34,8 +34,7 @@ void fmb_filter_clear(fmb_filter *f, fmb_mem *mem)
 uint64_t *fmb_filter_bits(fmb_filter *f, size_t uppers, fmb_mem *mem)
 {
     size_t words = fmb_set_words(uppers);
-    if (fmb_mem_reserve(mem, (void **)&f->drop, &f->drop_capacity, words, sizeof *f->drop) !=
-        FMB_OK)
+    if (FMB_RESERVE(mem, &f->drop, &f->drop_capacity, words) != FMB_OK)
         return NULL;
     memset(f->drop, 0, words * sizeof *f->drop);
     return f->drop;
@@ -48,8 +47,7 @@ fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept)
     *kept = f->wants_silent && history;
     if (!*kept)
         return FMB_OK;
-    FMB_TRY(fmb_arena_reserve(e->arena, (void **)&f->silent, &f->silent_capacity, f->silents + 1,
-                              sizeof *f->silent));
+    FMB_TRY(FMB_ARENA_RESERVE(e->arena, &f->silent, &f->silent_capacity, f->silents + 1));
     f->silent[f->silents++] = history;
     return FMB_OK;
 }
@@ -60,7 +58,7 @@ fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept)
 static fmb_status open_layout(fmb_layout *l, size_t words, size_t count, fmb_mem *mem)
 {
     size_t stride = (count + 7) / 8 * 8;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&l->bits, &l->capacity, words * stride, sizeof *l->bits));
+    FMB_TRY(FMB_RESERVE(mem, &l->bits, &l->capacity, words * stride));
     for (size_t k = 0; k < words; k++)
         memset(&l->bits[k * stride + count], 0, (stride - count) * sizeof *l->bits);
     l->planes = (fmb_planes){l->bits, stride, words, count};

@@ -89,9 +89,8 @@ static fmb_status minor_rank_mod_prime(const fmb_elim *e, const minor *m, size_t
 {
     fmb_mem *mem = e->run->mem;
     fmb_prime q = fmb_prime_number(0);
-    uint64_t *a = fmb_mem_get(mem, m->rows * m->vars, sizeof *a);
-    if (!a)
-        return fmb_mem_status(mem);
+    uint64_t *a;
+    FMB_TRY(FMB_GET(mem, a, m->rows * m->vars));
     for (size_t i = 0; i < m->rows; i++)
         for (size_t j = 0; j < m->vars; j++)
             a[i * m->vars + j] = fmb_prime_of_entry(&q, &e->row[e->base[m->row[i]]].v, m->var[j]);
@@ -118,9 +117,8 @@ fmb_status fmb_elim_minimal(const fmb_elim *e, const fmb_derived *r, bool *minim
 {
     fmb_mem *mem = e->run->mem;
     size_t room = 64 * (e->words + e->var_words), rank = 0;
-    size_t *list = fmb_mem_get(mem, room, sizeof *list);
-    if (!list)
-        return fmb_mem_status(mem);
+    size_t *list;
+    FMB_TRY(FMB_GET(mem, list, room));
     minor m = {.row = list, .var = list + 64 * e->words};
     m.rows = list_members(r->history, e->words, m.row);
     m.vars = list_members(e->gone, e->var_words, m.var);

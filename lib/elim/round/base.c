@@ -29,9 +29,7 @@ fmb_status fmb_elim_start_histories(fmb_elim *e)
     if (e->clash != FMB_NO_ROW)
         return FMB_OK;
     e->bases = e->live.size;
-    e->base = fmb_arena_get(e->arena, e->bases, sizeof *e->base);
-    if (!e->base)
-        return fmb_mem_status(e->arena->mem);
+    FMB_TRY(FMB_ARENA_GET(e->arena, e->base, e->bases));
     memcpy(e->base, e->live.row, e->bases * sizeof *e->base);
     memset(e->gone, 0, e->var_words * sizeof *e->gone);
     e->based = true;

@@ -21,9 +21,7 @@ static fmb_status emit_row_event(fmb_elim *e, const char *dropped_by)
     if (r->history) {
         bool minimal;
         FMB_TRY(fmb_elim_minimal(e, r, &minimal));
-        implicit = fmb_mem_get(e->run->mem, e->var_words, sizeof *implicit);
-        if (!implicit)
-            return fmb_mem_status(e->run->mem);
+        FMB_TRY(FMB_GET(e->run->mem, implicit, e->var_words));
         fmb_history_implicit(e, r, implicit);
         row.history = r->history;
         row.effective = r->history + e->words;

@@ -266,9 +266,7 @@ static fmb_status eliminate_variable(fmb_elim *e, int var)
     fmb_round *round = &e->round[e->rounds];
     e->at = (fmb_pairing){.running = true, .before = take_tally(e)};
     *round = (fmb_round){.var = var};
-    round->row = fmb_arena_get(e->arena, e->live.size, sizeof *round->row);
-    if (!round->row)
-        return fmb_mem_status(e->arena->mem);
+    FMB_TRY(FMB_ARENA_GET(e->arena, round->row, e->live.size));
     e->next.size = 0;
     uint32_t q = find_sparsest_equality(e, var);
     FMB_TRY(q != FMB_NO_ROW ? substitute_equality(e, q, var) : eliminate_by_pairs(e, var));
@@ -355,8 +353,7 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
     fmb_status st = fmb_run_poll_now(e->run);
     fmb_trend_go_on(&e->trend, e->run->work);
     e->paused = false;
-    if (st == FMB_OK)
-        st = go_on_with_variables(e, drop);
+    FMB_THEN(st, go_on_with_variables(e, drop));
     fmb_trend_pause(&e->trend, e->run->work);
     return st;
 }

@@ -174,9 +174,8 @@ fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var)
         return FMB_OK;
     if (e->chooser.choose)
         return ask_chooser(e, candidate, candidates, var);
-    occurrence *c = fmb_mem_zero(mem, n, sizeof *c);
-    if (!c)
-        return fmb_mem_status(mem);
+    occurrence *c;
+    FMB_TRY(FMB_GET_ZERO(mem, c, n));
     for (size_t i = 0; i < e->live.size; i++)
         count_row_occurrences(e, &e->row[e->live.row[i]], c);
     *var = find_cheapest_candidate(e, c, candidate, candidates);

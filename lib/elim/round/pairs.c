@@ -42,8 +42,7 @@ fmb_status fmb_elim_pair(fmb_elim *e, const fmb_round *round)
             return fmb_mem_status(e->run->mem);
         e->run->stats.pairs += uppers;
         st = fmb_rules_refuse_pairs(e, round, lowers, i, drop);
-        if (st == FMB_OK)
-            st = combine_with_uppers(e, round, lowers, i, drop);
+        FMB_THEN(st, combine_with_uppers(e, round, lowers, i, drop));
     }
     return st;
 }

@@ -113,8 +113,7 @@ fmb_status fmb_elim_point(const fmb_elim *e, fmb_point_kind kind, mpq_t *x)
     mpq_inits(g.lower, g.upper, g.value, g.t, NULL);
     for (int i = e->rounds; st == FMB_OK && i-- > 0;) {
         st = choose_value_of_round(e, &e->round[i], kind, x, &g);
-        if (st == FMB_OK)
-            st = fmb_run_poll(e->run);
+        FMB_THEN(st, fmb_run_poll(e->run));
     }
     mpq_clears(g.lower, g.upper, g.value, g.t, NULL);
     return st;

@@ -127,9 +127,7 @@ fmb_status fmb_box_mark(fmb_elim *e)
     fmb_box_rows *box = &e->box;
     if (box->budget == FMB_NO_ROW)
         return FMB_OK;
-    box->hard = fmb_arena_get(e->arena, e->words, sizeof *box->hard);
-    if (!box->hard)
-        return fmb_mem_status(e->arena->mem);
+    FMB_TRY(FMB_ARENA_GET(e->arena, box->hard, e->words));
     for (size_t k = 0; k < e->words; k++)
         box->hard[k] = 0;
     for (size_t i = 0; i < e->bases; i++) {

@@ -123,9 +123,8 @@ static fmb_status ask_at_end_of_round(fmb_elim *e, fmb_worker *worker, int var)
     fmb_mem *mem = e->run->mem;
     size_t rows = e->live.size, marked = 0;
     fmb_window w;
-    bool *drop = fmb_mem_zero(mem, rows, sizeof *drop);
-    if (!drop)
-        return fmb_mem_status(mem);
+    bool *drop;
+    FMB_TRY(FMB_GET_ZERO(mem, drop, rows));
     fmb_window_open(&w, e, worker->rule, var);
     fmb_status said = worker->rule->end_round(worker->state, &w.view, drop);
     fmb_status st = fmb_window_close(&w);
@@ -150,8 +149,7 @@ static fmb_status reduce_live_rows(fmb_elim *e)
             continue;
         st = fmb_vec_reduce(&r->v, (size_t)e->n + 1, &e->num);
         r->lowest = st == FMB_OK;
-        if (st == FMB_OK)
-            st = fmb_run_poll(e->run);
+        FMB_THEN(st, fmb_run_poll(e->run));
     }
     return st;
 }
@@ -167,8 +165,7 @@ fmb_status fmb_rules_end_round(fmb_elim *e, int var)
             continue;
         st = reduced ? FMB_OK : reduce_live_rows(e);
         reduced = true;
-        if (st == FMB_OK)
-            st = ask_at_end_of_round(e, &e->worker[k], var);
+        FMB_THEN(st, ask_at_end_of_round(e, &e->worker[k], var));
         e->at.pruner = k;
     }
     return st;

@@ -139,14 +139,11 @@ fmb_status fmb_elim_derive(const fmb_elim *e, fmb_weights *w)
     uint32_t top = 0;
     for (size_t i = 0; i < w->size; i++)
         top = w->index[i] > top ? w->index[i] : top;
-    s.slot = fmb_mem_zero(mem, (size_t)top + 1, sizeof *s.slot);
-    if (!s.slot)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_GET_ZERO(mem, s.slot, (size_t)top + 1));
     mpz_inits(s.alpha, s.beta, s.t, s.u, s.denominator, s.share, NULL);
     mpq_inits(s.content, s.weight, NULL);
     fmb_status st = start_sweep(&s, w, mem);
-    if (st == FMB_OK)
-        st = sweep_down_to_base(e, &s, top, &base);
+    FMB_THEN(st, sweep_down_to_base(e, &s, top, &base));
     mpz_clears(s.alpha, s.beta, s.t, s.u, s.denominator, s.share, NULL);
     mpq_clears(s.content, s.weight, NULL);
     fmb_weights_clear(&s.all, mem);

@@ -4,8 +4,7 @@
 /* An empty row at the end of the store, not counted yet. */
 static fmb_status open_row(fmb_elim *e, fmb_derived **out)
 {
-    FMB_TRY(fmb_arena_reserve(e->arena, (void **)&e->row, &e->row_capacity, e->rows + 1,
-                              sizeof *e->row));
+    FMB_TRY(FMB_ARENA_RESERVE(e->arena, &e->row, &e->row_capacity, e->rows + 1));
     if (e->rows >= FMB_NO_ROW)
         return FMB_ERR_MEMORY;
     fmb_derived *r = &e->row[e->rows];
@@ -39,8 +38,7 @@ void fmb_elim_forget_row(fmb_elim *e, bool keep_history)
 
 fmb_status fmb_list_push(fmb_elim *e, fmb_list *list, uint32_t row)
 {
-    FMB_TRY(fmb_arena_reserve(e->arena, (void **)&list->row, &list->capacity, list->size + 1,
-                              sizeof *list->row));
+    FMB_TRY(FMB_ARENA_RESERVE(e->arena, &list->row, &list->capacity, list->size + 1));
     list->row[list->size++] = row;
     return FMB_OK;
 }
@@ -84,8 +82,7 @@ fmb_status fmb_elim_split(fmb_elim *e, uint32_t i)
     if (st == FMB_OK)
         fmb_vec_negate(&r->v, n);
     note_variables_of_row(e, r);
-    if (st == FMB_OK)
-        st = fmb_list_push(e, &e->live, (uint32_t)e->rows);
+    FMB_THEN(st, fmb_list_push(e, &e->live, (uint32_t)e->rows));
     return close_row(e, st);
 }
 

@@ -8,10 +8,8 @@
 static fmb_status number_generator(fmb_facets *f)
 {
     fmb_mem *mem = f->num.mem;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->generator, &f->generator_capacity, f->generators + 1,
-                            sizeof *f->generator));
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->rounded, &f->rounded_capacity,
-                            (f->generators + 1) * f->d, sizeof *f->rounded));
+    FMB_TRY(FMB_RESERVE(mem, &f->generator, &f->generator_capacity, f->generators + 1));
+    FMB_TRY(FMB_RESERVE(mem, &f->rounded, &f->rounded_capacity, (f->generators + 1) * f->d));
     if (f->generators == 64 * f->words)
         FMB_TRY(fmb_facets_widen_sets(f));
     fmb_vec v = {.s = fmb_mem_get(mem, f->d, sizeof *v.s)};
@@ -84,8 +82,7 @@ static fmb_status find_sides(fmb_facets *f, size_t first)
 
 static fmb_status load_generator(fmb_facets *f, fmb_status st)
 {
-    if (st == FMB_OK)
-        st = fmb_vec_reduce(&f->g, f->d, &f->num);
+    FMB_THEN(st, fmb_vec_reduce(&f->g, f->d, &f->num));
     if (st == FMB_OK)
         fmb_facets_round(&f->g, f->d, f->near);
     return st;

@@ -7,8 +7,7 @@
 
 fmb_status fmb_facets_reserve(fmb_facets *f, size_t more)
 {
-    return fmb_mem_reserve(f->num.mem, (void **)&f->generator, &f->generator_capacity,
-                           f->generators + more, sizeof *f->generator);
+    return FMB_RESERVE(f->num.mem, &f->generator, &f->generator_capacity, f->generators + more);
 }
 
 static fmb_status make_room_in_copy(const fmb_facets *f, fmb_facet *to, fmb_mem *mem)

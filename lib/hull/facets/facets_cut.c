@@ -34,12 +34,9 @@ static bool is_combination_exact(const fmb_facets *f, const fmb_facet *n, const 
 static fmb_status combine_exactly(fmb_facets *f, fmb_facet *a, fmb_facet *n, fmb_facet *v)
 {
     fmb_status st = need_value(f, n);
-    if (st == FMB_OK)
-        st = need_value(f, v);
-    if (st == FMB_OK)
-        st = fmb_vec_cancel(&a->normal, &n->normal, &v->normal, f->d + 1, f->d, &f->num);
-    if (st == FMB_OK)
-        st = fmb_facets_tidy(f, &a->normal);
+    FMB_THEN(st, need_value(f, v));
+    FMB_THEN(st, fmb_vec_cancel(&a->normal, &n->normal, &v->normal, f->d + 1, f->d, &f->num));
+    FMB_THEN(st, fmb_facets_tidy(f, &a->normal));
     a->known = st == FMB_OK;
     fmb_run_count(f->run, 3 * fmb_vec_work(&a->normal, f->d + 1));
     fmb_facets_round_normal(f, a);

@@ -156,8 +156,7 @@ static fmb_status look_for_new_facet(crowd *c, uint32_t i)
 
 static fmb_status open_queues(crowd *c)
 {
-    FMB_TRY(
-        fmb_mem_reserve(c->f->num.mem, (void **)&c->at, &c->capacity, c->f->slots, sizeof *c->at));
+    FMB_TRY(FMB_RESERVE(c->f->num.mem, &c->at, &c->capacity, c->f->slots));
     for (; c->slots < c->f->slots; c->slots++)
         c->at[c->slots] = (queue){.first = NOBODY};
     return FMB_OK;

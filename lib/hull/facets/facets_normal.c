@@ -172,8 +172,7 @@ fmb_status fmb_facets_find_normal(const fmb_facets *f, fmb_facet *a, fmb_normal_
         return st;
     find_minors(f, a, &m, by->num->p);
     st = take_minors(&m, &a->normal, by->num->mem);
-    if (st == FMB_OK)
-        st = fmb_vec_reduce(&a->normal, f->d + 1, by->num);
+    FMB_THEN(st, fmb_vec_reduce(&a->normal, f->d + 1, by->num));
     if (st != FMB_OK)
         return st;
     turn_normal_inwards(f, a, by->num);

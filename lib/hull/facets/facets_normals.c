@@ -25,8 +25,7 @@ static fmb_status find_normals_by(normals *w, size_t k, fmb_num *num, fmb_run *r
     for (size_t i = f->slots * k / CHUNKS; st == FMB_OK && i < f->slots * (k + 1) / CHUNKS; i++) {
         if (f->facet[i].alive && !f->facet[i].known)
             st = fmb_facets_find_normal(f, &f->facet[i], &tools);
-        if (st == FMB_OK)
-            st = fmb_run_poll(run);
+        FMB_THEN(st, fmb_run_poll(run));
     }
     fmb_normal_tools_clear(f, &tools);
     w->bytes[k] = run->mem->used - before;

@@ -60,8 +60,7 @@ static fmb_status open_base(fmb_facets *f, size_t e, size_t generator)
     FMB_TRY(fmb_facets_open_slot(f, &base));
     fmb_facet *b = &f->facet[base];
     fmb_status st = fmb_vec_copy(&b->normal, &f->equation[e], f->d + 1, f->num.mem);
-    if (st == FMB_OK)
-        st = fmb_facets_tidy(f, &b->normal);
+    FMB_THEN(st, fmb_facets_tidy(f, &b->normal));
     b->known = st == FMB_OK;
     fmb_facets_round_normal(f, b);
     for (size_t i = 0; i < generator; i++)
@@ -78,10 +77,8 @@ fmb_status fmb_facets_raise(fmb_facets *f, size_t e, size_t generator)
     if (fmb_vec_product_sign(equation, &f->g, f->d, &f->num) < 0)
         fmb_vec_negate(equation, f->d + 1);
     fmb_status st = fmb_facets_evaluate(f, equation);
-    if (st == FMB_OK)
-        st = lift_facets_and_equations(f, e, generator);
-    if (st == FMB_OK)
-        st = open_base(f, e, generator);
+    FMB_THEN(st, lift_facets_and_equations(f, e, generator));
+    FMB_THEN(st, open_base(f, e, generator));
     t = *equation;
     *equation = *last;
     *last = t;

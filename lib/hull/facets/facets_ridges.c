@@ -69,8 +69,7 @@ static fmb_status list_holders(fmb_facets *f)
 {
     size_t n = count_candidates(f), words = f->holder_words = fmb_set_words(n);
     size_t size = 64 * f->words * words, scratch = least_in_common(f) * words;
-    FMB_TRY(fmb_mem_reserve(f->num.mem, (void **)&f->holder, &f->holder_capacity, size + scratch,
-                            sizeof *f->holder));
+    FMB_TRY(FMB_RESERVE(f->num.mem, &f->holder, &f->holder_capacity, size + scratch));
     memset(f->holder, 0, size * sizeof *f->holder);
     for (size_t i = 0; i < n; i++) {
         const fmb_facet *a = &f->facet[candidate(f, i)];

@@ -30,8 +30,7 @@ fmb_status fmb_facets_widen_sets(fmb_facets *f)
 static fmb_status make_slot(fmb_facets *f, uint32_t *out)
 {
     fmb_mem *mem = f->num.mem;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->facet, &f->facet_capacity, f->slots + 1,
-                            sizeof *f->facet));
+    FMB_TRY(FMB_RESERVE(mem, &f->facet, &f->facet_capacity, f->slots + 1));
     fmb_facet *a = &f->facet[f->slots++];
     *a = (fmb_facet){0};
     a->normal.s = fmb_mem_zero(mem, f->d + 1, sizeof *a->normal.s);
@@ -50,8 +49,7 @@ fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out)
     else
         st = make_slot(f, out);
     if (st == FMB_OK) /* so that closing a slot cannot fail */
-        st = fmb_mem_reserve(f->num.mem, (void **)&f->unused, &f->unused_capacity, f->slots,
-                             sizeof *f->unused);
+        st = FMB_RESERVE(f->num.mem, &f->unused, &f->unused_capacity, f->slots);
     if (st != FMB_OK)
         return st;
     fmb_facet *a = &f->facet[*out];
@@ -76,7 +74,7 @@ void fmb_facets_close_slot(fmb_facets *f, uint32_t a)
 fmb_status fmb_facets_list(fmb_facets *f, uint32_t **list, size_t *size, size_t *capacity,
                            uint32_t a)
 {
-    FMB_TRY(fmb_mem_reserve(f->num.mem, (void **)list, capacity, *size + 1, sizeof **list));
+    FMB_TRY(FMB_RESERVE(f->num.mem, list, capacity, *size + 1));
     (*list)[(*size)++] = a;
     return FMB_OK;
 }
@@ -108,9 +106,7 @@ void fmb_facets_part(fmb_facets *f, uint32_t a, uint32_t b)
 static fmb_status open_vectors(fmb_facets *f)
 {
     for (size_t i = 0; i < f->d; i++) {
-        f->equation[i].s = fmb_mem_zero(f->num.mem, f->d + 1, sizeof *f->equation[i].s);
-        if (!f->equation[i].s)
-            return fmb_mem_status(f->num.mem);
+        FMB_TRY(FMB_GET_ZERO(f->num.mem, f->equation[i].s, f->d + 1));
         f->equation[i].s[i] = f->equation[i].bits = 1;
     }
     return FMB_OK;

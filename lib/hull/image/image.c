@@ -65,9 +65,8 @@ static fmb_status sort_rays_of_image(fmb_image *m)
 {
     fmb_mem *mem = m->run->mem;
     size_t rays = m->rays, left = 0;
-    sorted_ray *list = fmb_mem_get(mem, rays, sizeof *list);
-    if (!list)
-        return fmb_mem_status(mem);
+    sorted_ray *list;
+    FMB_TRY(FMB_GET(mem, list, rays));
     for (size_t i = 0; i < rays; i++)
         list[i] = (sorted_ray){m->ray[i], m->support[i], m->above[i], m->n,
                                first_entry_or_near(&m->ray[i])};

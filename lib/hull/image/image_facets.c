@@ -46,8 +46,7 @@ static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
 
 fmb_status fmb_image_add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks)
 {
-    FMB_TRY(fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity, m->facets + 1,
-                            sizeof *m->facet));
+    FMB_TRY(FMB_RESERVE(m->run->mem, &m->facet, &m->facet_capacity, m->facets + 1));
     fmb_image_row *f = &m->facet[m->facets++];
     *f = (fmb_image_row){.equality = equality};
     fmb_status st = fmb_image_copy_coordinates(m, &f->v, y);
@@ -171,10 +170,8 @@ fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of)
     bool *line = fmb_mem_get(mem, most, sizeof *line);
     if (st == FMB_OK && (!v || !line))
         st = fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = list_facets(&f, v, line, &size);
-    if (st == FMB_OK)
-        st = fmb_image_init_vectors(m, of->run, of->n, size, v, line, of->num.wide_only);
+    FMB_THEN(st, list_facets(&f, v, line, &size));
+    FMB_THEN(st, fmb_image_init_vectors(m, of->run, of->n, size, v, line, of->num.wide_only));
     fmb_mem_put(mem, line, most, sizeof *line);
     fmb_mem_put(mem, v, most, sizeof *v);
     fmb_facets_clear(&f);
@@ -256,8 +253,7 @@ static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks)
     fmb_dual d;
     bool done;
     fmb_status st = fmb_dual_open(&d, m, false);
-    if (st == FMB_OK)
-        st = fmb_dual_find_facets(&d, 0, slacks, &done);
+    FMB_THEN(st, fmb_dual_find_facets(&d, 0, slacks, &done));
     fmb_dual_close(&d);
     return st;
 }

@@ -88,7 +88,7 @@ static fmb_status note_open_face(open_search *o, const uint64_t *on, size_t dept
         if (!fmb_set_is_inside(o->face[i].on, on, o->words))
             o->face[left++] = o->face[i];
     o->faces = left;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&o->face, &o->capacity, left + 1, sizeof *o->face));
+    FMB_TRY(FMB_RESERVE(mem, &o->face, &o->capacity, left + 1));
     open_face *f = &o->face[o->faces];
     *f = (open_face){.on = new_set_of_rays(o),
                      .facet = fmb_arena_get(&o->m->arena, depth, sizeof *f->facet),
@@ -182,8 +182,7 @@ static fmb_status sum_facets(open_search *o, const open_face *face, fmb_image_ro
 static fmb_status add_row_of_face(open_search *o, const open_face *face)
 {
     fmb_image *m = o->m;
-    FMB_TRY(fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity, m->facets + 1,
-                            sizeof *m->facet));
+    FMB_TRY(FMB_RESERVE(m->run->mem, &m->facet, &m->facet_capacity, m->facets + 1));
     fmb_image_row *row = &m->facet[m->facets];
     *row = (fmb_image_row){.strict = true};
     row->v.s = fmb_arena_get(&m->arena, m->n, sizeof *row->v.s);

@@ -57,8 +57,7 @@ static fmb_status write_cone(const fmb_section *c, fmb_program *p)
             mpz_neg(z[k], z[k]);
         }
         st = fmb_program_add_integers(p, z, FMB_LE);
-        if (st == FMB_OK)
-            st = fmb_run_poll(c->run);
+        FMB_THEN(st, fmb_run_poll(c->run));
     }
     fmb_vec_block_free(z, c->rank + 1, c->run->mem);
     return st;
@@ -105,10 +104,8 @@ static fmb_status try_short_forms(fmb_section *c, const double *mean, const fmb_
     bool feasible; /* 0 is a solution */
     fmb_program_init(&p, c->run->mem, (int)c->rank);
     fmb_status st = write_cone(c, &p);
-    if (st == FMB_OK)
-        st = fmb_oracle_new(c->run, &p, &cone);
-    if (st == FMB_OK)
-        st = fmb_oracle_feasible(cone, &feasible);
+    FMB_THEN(st, fmb_oracle_new(c->run, &p, &cone));
+    FMB_THEN(st, fmb_oracle_feasible(cone, &feasible));
     for (size_t i = 0; st == FMB_OK && !*serves && i < sizeof LARGEST / sizeof *LARGEST; i++) {
         round_mean(c, mean, LARGEST[i]);
         st = try_form(c, b, cone, serves);
@@ -156,10 +153,8 @@ fmb_status fmb_section_choose_form(fmb_section *c)
     double *mean = fmb_mem_get(mem, 2 * c->d, sizeof *mean);
     if (st == FMB_OK && !mean)
         st = fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = add_base_up(c, &b);
-    if (st == FMB_OK)
-        st = choose_form(c, &b, mean);
+    FMB_THEN(st, add_base_up(c, &b));
+    FMB_THEN(st, choose_form(c, &b, mean));
     fmb_mem_put(mem, mean, 2 * c->d, sizeof *mean);
     fmb_integers_clear(&b, mem);
     return st;

@@ -133,8 +133,7 @@ static fmb_status take_rays_and_lines(fmb_section *c, const fmb_cone *lines, ray
         all->v[all->size] = lines->line.v[i];
         all->line[all->size++] = true;
     }
-    if (st == FMB_OK)
-        st = fmb_image_init_vectors(image, c->run, c->d, all->size, all->v, all->line, false);
+    FMB_THEN(st, fmb_image_init_vectors(image, c->run, c->d, all->size, all->v, all->line, false));
     for (size_t i = 0; i < rays; i++)
         fmb_vec_clear(&all->v[i], c->d, c->run->mem);
     fmb_vec_block_free(z, c->d, c->run->mem);
@@ -151,12 +150,9 @@ fmb_status fmb_section_take_rays(fmb_section *c, fmb_image *image)
     ray_list all = {.v = fmb_mem_get(mem, most, sizeof *all.v),
                     .line = fmb_mem_get(mem, most, sizeof *all.line)};
     fmb_status st = row && all.v && all.line ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = find_lines_of_cone(c, &lines, row);
-    if (st == FMB_OK)
-        st = take_rays_and_lines(c, &lines, &all, image);
-    if (st == FMB_OK)
-        st = keep_extreme_rays(c, image, row);
+    FMB_THEN(st, find_lines_of_cone(c, &lines, row));
+    FMB_THEN(st, take_rays_and_lines(c, &lines, &all, image));
+    FMB_THEN(st, keep_extreme_rays(c, image, row));
     fmb_cone_clear(&lines);
     fmb_mem_put(mem, all.line, most, sizeof *all.line);
     fmb_mem_put(mem, all.v, most, sizeof *all.v);

@@ -75,10 +75,8 @@ static fmb_status take_and_look_along(fmb_support *s, size_t at)
     fmb_vec h = {.s = fmb_mem_zero(mem, s->k + 1, sizeof *h.s)};
     fmb_status st =
         h.s ? fmb_vec_copy(&h, &s->hull.facet[at].normal, s->k + 1, mem) : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = fmb_support_take(s, c, &c->seen, at);
-    if (st == FMB_OK)
-        st = fmb_support_look_along(s, &h);
+    FMB_THEN(st, fmb_support_take(s, c, &c->seen, at));
+    FMB_THEN(st, fmb_support_look_along(s, &h));
     fmb_vec_clear(&h, s->k + 1, mem);
     fmb_mem_put(mem, h.s, s->k + 1, sizeof *h.s);
     return st;
@@ -92,8 +90,7 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     fmb_support_worker *c = &s->worker;
     bool known = false;
     fmb_status st = fmb_facets_need_normal(&s->hull, at);
-    if (st == FMB_OK)
-        st = fmb_support_recall(s, at, &known);
+    FMB_THEN(st, fmb_support_recall(s, at, &known));
     if (st != FMB_OK || known)
         return st;
     const fmb_facet *a = &s->hull.facet[at];

@@ -56,9 +56,8 @@ static fmb_status know_row(fmb_support *s, const fmb_program *p, size_t i)
 fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p)
 {
     fmb_mem *mem = s->run->mem;
-    fmb_known *w = fmb_mem_zero(mem, 1, sizeof *w);
-    if (!w)
-        return fmb_mem_status(mem);
+    fmb_known *w;
+    FMB_TRY(FMB_GET_ZERO(mem, w, 1));
     s->known = w;
     fmb_arena_init(&w->arena, mem);
     for (w->mask = 15; w->mask < 2 * p->m; w->mask = 2 * w->mask + 1)

@@ -19,8 +19,7 @@ static fmb_status move_to_point(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb_
         mpz_mul(z[j], z[j], s->g.z[0]);
     }
     fmb_status st = fmb_integers_reduce(z, s->k + 1, content, &poll);
-    if (st == FMB_OK)
-        st = fmb_vec_set_z(v, s->k + 1, z, s->run->mem);
+    FMB_THEN(st, fmb_vec_set_z(v, s->k + 1, z, s->run->mem));
     for (size_t j = 0; j <= s->k; j++)
         mpz_set_ui(z[j], 0);
     mpz_clear(content);
@@ -29,8 +28,7 @@ static fmb_status move_to_point(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb_
 
 static fmb_status keep_outer_row(fmb_support *s, fmb_support_row *row)
 {
-    fmb_status st = fmb_mem_reserve(s->run->mem, (void **)&s->outer, &s->outer_capacity,
-                                    s->outers + 1, sizeof *s->outer);
+    fmb_status st = FMB_RESERVE(s->run->mem, &s->outer, &s->outer_capacity, s->outers + 1);
     if (st == FMB_OK)
         s->outer[s->outers++] = *row;
     else
@@ -46,8 +44,7 @@ static fmb_status find_outer_row(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb
     fmb_status st = FMB_OK;
     while (st == FMB_OK && !stands && mpz_sgn(s->g.z[0]) != 0) {
         st = move_to_point(s, h, z, v);
-        if (st == FMB_OK)
-            st = fmb_support_query(s, v, 1, &row, &stands);
+        FMB_THEN(st, fmb_support_query(s, v, 1, &row, &stands));
     }
     if (st == FMB_OK && stands)
         return keep_outer_row(s, &row);
@@ -62,8 +59,7 @@ fmb_status fmb_support_look_along(fmb_support *s, const fmb_vec *h)
     mpz_t *z = fmb_vec_block(size, mem);
     fmb_vec v = {.s = fmb_mem_zero(mem, size, sizeof *v.s)};
     fmb_status st = z && v.s ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = find_outer_row(s, h, z, &v);
+    FMB_THEN(st, find_outer_row(s, h, z, &v));
     fmb_vec_block_free(z, size, mem);
     fmb_vec_clear(&v, size, mem);
     fmb_mem_put(mem, v.s, size, sizeof *v.s);

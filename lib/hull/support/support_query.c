@@ -13,8 +13,7 @@ static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen
     fmb_mem *mem = s->run->mem;
     if (!s->proves)
         return FMB_OK;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&s->point, &s->point_capacity, s->points + 1,
-                            sizeof *s->point));
+    FMB_TRY(FMB_RESERVE(mem, &s->point, &s->point_capacity, s->points + 1));
     fmb_integers *x = &s->point[s->points];
     FMB_TRY(fmb_integers_init(x, s->n + 1, mem));
     s->points++;
@@ -29,8 +28,7 @@ static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen
 static fmb_status note_near(fmb_support *s, fmb_support_near *near)
 {
     const fmb_facets *f = &s->hull;
-    FMB_TRY(fmb_mem_reserve(s->run->mem, (void **)&near->slot, &near->capacity,
-                            f->mades + f->toucheds, sizeof *near->slot));
+    FMB_TRY(FMB_RESERVE(s->run->mem, &near->slot, &near->capacity, f->mades + f->toucheds));
     near->generator = f->generators - 1;
     near->slots = f->mades + f->toucheds;
     for (size_t k = 0; k < near->slots; k++)
@@ -136,8 +134,7 @@ fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, 
     bool beyond = false;
     *stands = false;
     fmb_status st = write_cost(s, h, sign, &cost, c->run->mem);
-    if (st == FMB_OK)
-        st = fmb_oracle_approach(c->oracle, &cost, &end);
+    FMB_THEN(st, fmb_oracle_approach(c->oracle, &cost, &end));
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM)
         beyond = is_point_beyond(c, s, h, sign);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM && !beyond) {

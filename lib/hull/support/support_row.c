@@ -16,8 +16,7 @@ fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_sup
 
 fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row)
 {
-    fmb_status st = fmb_mem_reserve(s->run->mem, (void **)&s->row, &s->row_capacity, s->rows + 1,
-                                    sizeof *s->row);
+    fmb_status st = FMB_RESERVE(s->run->mem, &s->row, &s->row_capacity, s->rows + 1);
     if (st == FMB_OK)
         s->row[s->rows++] = *row;
     else

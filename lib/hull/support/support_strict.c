@@ -71,8 +71,7 @@ static fmb_status ask_about_face(lattice *l, const uint64_t *set, fmb_support_ro
     bool stands;
     *row = (fmb_support_row){0};
     fmb_status st = add_normals_around(l, set);
-    if (st == FMB_OK)
-        st = fmb_support_query(l->s, &l->h, 1, row, &stands);
+    FMB_THEN(st, fmb_support_query(l->s, &l->h, 1, row, &stands));
     *missing = st == FMB_OK && row->rel == FMB_LT;
     if (!*missing)
         fmb_support_drop(row, l->s->run->mem);
@@ -115,8 +114,7 @@ static bool was_face_met(const lattice *l, const uint64_t *set)
 /* Room for one set more, at the end of a list. */
 static fmb_status reserve_set(lattice *l, uint64_t **list, size_t size, size_t *capacity)
 {
-    return fmb_mem_reserve(l->s->run->mem, (void **)list, capacity, (size + 1) * l->words,
-                           sizeof **list);
+    return FMB_RESERVE(l->s->run->mem, list, capacity, (size + 1) * l->words);
 }
 
 /* Where face i meets facets: faces that may be missing, and are not for a reason that is known. */
@@ -230,10 +228,8 @@ fmb_status fmb_support_find_missing_faces(fmb_support *s)
 {
     lattice l = {.s = s, .f = &s->hull, .words = s->hull.words};
     fmb_status st = open_lattice(&l);
-    if (st == FMB_OK)
-        st = find_missing_points(&l);
-    if (st == FMB_OK)
-        st = walk_down_the_lattice(&l);
+    FMB_THEN(st, find_missing_points(&l));
+    FMB_THEN(st, walk_down_the_lattice(&l));
     close_lattice(&l);
     return st;
 }

@@ -60,8 +60,7 @@ static fmb_status keep_moved_row(fmb_support *s, size_t item)
     const fmb_support_row *root = &s->row[o->item[fmb_orbits_root(o, item)].tag];
     fmb_support_row row = {.rel = root->rel};
     fmb_status st = fmb_support_write_row(s, &o->item[item].v, &row, s->run->mem);
-    if (st == FMB_OK)
-        st = fmb_orbits_move_weights(o, item, &root->proof, &row.proof);
+    FMB_THEN(st, fmb_orbits_move_weights(o, item, &root->proof, &row.proof));
     if (st != FMB_OK) {
         fmb_support_drop(&row, s->run->mem);
         return st;
@@ -101,9 +100,8 @@ static fmb_status find_group(fmb_support *s)
         *s->given = (fmb_group){0};
         return FMB_OK;
     }
-    bool *keeps = fmb_mem_zero(s->run->mem, s->n, sizeof *keeps);
-    if (!keeps)
-        return fmb_mem_status(s->run->mem);
+    bool *keeps;
+    FMB_TRY(FMB_GET_ZERO(s->run->mem, keeps, s->n));
     for (size_t j = 0; j < s->k; j++)
         keeps[s->kept[j]] = true;
     fmb_status st = fmb_symmetry_find(s->run, s->program, keeps, &s->symmetry->group);
@@ -146,9 +144,8 @@ static fmb_status note_images_of_all_rows(fmb_support *s)
 
 fmb_status fmb_support_find_symmetry(fmb_support *s)
 {
-    fmb_symmetry *y = fmb_mem_zero(s->run->mem, 1, sizeof *y);
-    if (!y)
-        return fmb_mem_status(s->run->mem);
+    fmb_symmetry *y;
+    FMB_TRY(FMB_GET_ZERO(s->run->mem, y, 1));
     s->symmetry = y;
     FMB_TRY(find_group(s));
     if (y->group.size == 0)

@@ -44,9 +44,8 @@ static fmb_status hire_worker(fmb_support_workers *w, size_t k)
 
 fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p)
 {
-    fmb_support_workers *w = fmb_mem_zero(s->run->mem, 1, sizeof *w);
-    if (!w)
-        return fmb_mem_status(s->run->mem);
+    fmb_support_workers *w;
+    FMB_TRY(FMB_GET_ZERO(s->run->mem, w, 1));
     s->workers = w;
     w->of = s;
     w->program = p;
@@ -233,8 +232,7 @@ fmb_status fmb_support_ask_workers(fmb_support *s, bool *done)
     size_t n;
     fmb_support_workers *w = s->workers;
     fmb_status st = choose_facets(s, &n);
-    if (st == FMB_OK)
-        st = reserve_room(s);
+    FMB_THEN(st, reserve_room(s));
     *done = n == 0 && !is_a_point_waiting(w);
     if (st == FMB_OK && !*done)
         st = look_and_take_in(s, n);

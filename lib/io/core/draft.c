@@ -28,9 +28,8 @@ void fmb_draft_reset(fmb_draft *d)
 static fmb_status grow_draft_by_half(fmb_draft *d)
 {
     size_t capacity = d->capacity + d->capacity / 2 + 8;
-    mpq_t *coef = fmb_mem_get(d->mem, capacity, sizeof *coef);
-    if (!coef)
-        return fmb_mem_status(d->mem);
+    mpq_t *coef;
+    FMB_TRY(FMB_GET(d->mem, coef, capacity));
     int *var = fmb_mem_grow(d->mem, d->var, d->capacity, capacity, sizeof *var);
     if (!var) {
         fmb_mem_put(d->mem, coef, capacity, sizeof *coef);
@@ -107,8 +106,7 @@ fmb_status fmb_draft_set_objective(fmb_cursor *c, const char *p, const fmb_draft
     mpq_init(constant);
     mpq_neg(constant, d->rhs);
     fmb_objective_q form = {sense, d->n, d->var, d->coef, constant};
-    if (st == FMB_OK)
-        st = fmb_system_set_objective_q(s, &form);
+    FMB_THEN(st, fmb_system_set_objective_q(s, &form));
     mpq_clear(constant);
     return st;
 }

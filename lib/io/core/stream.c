@@ -51,8 +51,7 @@ fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_cursor_fn
     fmb_mem_init(&mem, reader.mem, 0);
     fmb_status st = read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
     int cause = errno;
-    if (st == FMB_OK)
-        st = fmb_parse_memory(b.p, b.size, &reader, parse, self, where);
+    FMB_THEN(st, fmb_parse_memory(b.p, b.size, &reader, parse, self, where));
     fmb_mem_put(&mem, b.p, b.capacity, 1);
     if (st == FMB_ERR_IO)
         errno = cause;

@@ -216,9 +216,8 @@ fmb_status fmb_frame_reader_new(FILE *in, const fmb_reader *how, fmb_frame_reade
     if (!in || !out || fmb_io_take_reader(how, &reader, NULL) != FMB_OK)
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, reader.mem, 0);
-    fmb_frame_reader *r = fmb_mem_zero(&mem, 1, sizeof *r);
-    if (!r)
-        return fmb_mem_status(&mem);
+    fmb_frame_reader *r;
+    FMB_TRY(FMB_GET_ZERO(&mem, r, 1));
     r->mem = mem;
     r->in = in;
     atomic_init(&r->cancel, 0);

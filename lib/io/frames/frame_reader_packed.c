@@ -22,8 +22,7 @@ static fmb_status fetch_bytes(fmb_frame_reader *r, size_t n)
         size_t most = n - r->size < PORTION ? n - r->size : PORTION;
         got = 0;
         st = fmb_frame_reader_poll(r);
-        if (st == FMB_OK)
-            st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + most, 1);
+        FMB_THEN(st, fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + most, 1));
         if (st == FMB_OK)
             got = fread(r->text + r->size, 1, most, r->in);
     }
@@ -67,7 +66,7 @@ static bool are_all_zero(const fmb_numbers *a)
 static fmb_status unpack_numbers(fmb_frame_reader *r, fmb_numbers *to, size_t n,
                                  const unsigned char **from)
 {
-    FMB_TRY(fmb_mem_reserve(&r->mem, (void **)&to->d, &to->d_capacity, n, sizeof *to->d));
+    FMB_TRY(FMB_RESERVE(&r->mem, &to->d, &to->d_capacity, n));
     fmb_packed_read(*from, r->block.size, n, to->d);
     *from += n * r->block.size;
     to->n = n;

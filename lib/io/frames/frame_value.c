@@ -55,16 +55,13 @@ fmb_status fmb_frame_reader_value(fmb_frame_reader *r, fmb_cursor *c, mpq_t out)
 
 static fmb_status reserve_one_double(fmb_numbers *a, fmb_mem *mem)
 {
-    return a->n < a->d_capacity
-               ? FMB_OK
-               : fmb_mem_reserve(mem, (void **)&a->d, &a->d_capacity, a->n + 1, sizeof *a->d);
+    return a->n < a->d_capacity ? FMB_OK : FMB_RESERVE(mem, &a->d, &a->d_capacity, a->n + 1);
 }
 
 static fmb_status reserve_rationals(fmb_numbers *a, size_t n, fmb_mem *mem)
 {
     size_t before = a->capacity;
-    fmb_status st =
-        n <= before ? FMB_OK : fmb_mem_reserve(mem, (void **)&a->q, &a->capacity, n, sizeof *a->q);
+    fmb_status st = n <= before ? FMB_OK : FMB_RESERVE(mem, &a->q, &a->capacity, n);
     for (size_t i = before; i < a->capacity; i++)
         mpq_init(a->q[i]);
     return st;

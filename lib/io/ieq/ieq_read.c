@@ -49,8 +49,7 @@ static fmb_status read_term_or_constant(ieq *f, bool minus)
         mpq_sub(f->d.rhs, f->d.rhs, f->value);
         return fmb_io_charge(c, c->at, fmb_io_digits(f->d.rhs));
     }
-    if (st == FMB_OK)
-        st = read_variable_index(f, &j);
+    FMB_THEN(st, read_variable_index(f, &j));
     return st == FMB_OK ? fmb_draft_add(&f->d, j, f->value) : st;
 }
 
@@ -103,12 +102,9 @@ static fmb_status read_porta_row(ieq *f)
         if (st == FMB_OK && !fmb_accept(c, ")"))
             st = fmb_io_fail(c, c->at, "expected ')' after the number of a row");
     }
-    if (st == FMB_OK)
-        st = read_side_of_row(f, false);
-    if (st == FMB_OK)
-        st = read_porta_relation(c, &rel);
-    if (st == FMB_OK)
-        st = read_side_of_row(f, true);
+    FMB_THEN(st, read_side_of_row(f, false));
+    FMB_THEN(st, read_porta_relation(c, &rel));
+    FMB_THEN(st, read_side_of_row(f, true));
     if (st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n')
         st = fmb_io_expected(c, c->at, "end of line after a row");
     if (st != FMB_OK)
@@ -130,8 +126,7 @@ static fmb_status read_dim_section(ieq *f, const char *word)
     fmb_skip_space(c);
     const char *p = c->at;
     fmb_status st = fmb_scan_count(c, SIZE_MAX / 2, "a number of variables", &n);
-    if (st == FMB_OK)
-        st = fmb_io_declare(c, p, n, f->s);
+    FMB_THEN(st, fmb_io_declare(c, p, n, f->s));
     f->has_dim = true;
     return st;
 }

@@ -48,14 +48,10 @@ static fmb_status parse_generators(fmb_cursor *c, void *out)
     fmb_system *s = NULL;
     fmb_generators *g = NULL;
     fmb_status st = fmb_io_check(c);
-    if (st == FMB_OK)
-        st = fmb_system_new(0, hook, &s);
-    if (st == FMB_OK)
-        st = fmb_ine_read(&(fmb_ine){.c = c, .s = s, .generators = true});
-    if (st == FMB_OK)
-        st = fmb_generators_new(fmb_system_dim(s), hook, &g);
-    if (st == FMB_OK)
-        st = turn_rows_to_generators(c, s, g);
+    FMB_THEN(st, fmb_system_new(0, hook, &s));
+    FMB_THEN(st, fmb_ine_read(&(fmb_ine){.c = c, .s = s, .generators = true}));
+    FMB_THEN(st, fmb_generators_new(fmb_system_dim(s), hook, &g));
+    FMB_THEN(st, turn_rows_to_generators(c, s, g));
     fmb_system_free(s);
     if (st == FMB_OK)
         *(fmb_generators **)out = g;

@@ -93,8 +93,7 @@ static fmb_status name_variables(fmb_ine *f, const char *const *quote, int dim, 
                         *name ? "taken" : "empty");
             name = NULL;
         }
-        if (st == FMB_OK)
-            st = fmb_system_add_variable(s, name, NULL);
+        FMB_THEN(st, fmb_system_add_variable(s, name, NULL));
     }
     fmb_names_clear(&before, &s->mem);
     return st;
@@ -106,9 +105,8 @@ fmb_status fmb_ine_take_names(fmb_ine *f)
     fmb_room room = {0};
     bool any = false;
     int dim = fmb_system_dim(f->s);
-    const char **quote = fmb_mem_zero(mem, (size_t)dim + 1, sizeof *quote);
-    if (!quote)
-        return fmb_mem_status(mem);
+    const char **quote;
+    FMB_TRY(FMB_GET_ZERO(mem, quote, (size_t)dim + 1));
     fmb_status st = read_comments(f, quote, &room, &any);
     if (st == FMB_OK && any)
         st = name_variables(f, quote, dim, &room);

@@ -41,8 +41,7 @@ static fmb_status read_counted_list(fmb_cursor *c, fmb_ine_list *list, const cha
     fmb_skip_blanks(c);
     fmb_status st = fmb_scan_count(c, SIZE_MAX / 2, "a count", &k);
     for (size_t i = 0; st == FMB_OK && i < k; i++) {
-        st = fmb_mem_reserve(c->mem, (void **)&list->item, &list->capacity, list->size + 1,
-                             sizeof *list->item);
+        st = FMB_RESERVE(c->mem, &list->item, &list->capacity, list->size + 1);
         if (st != FMB_OK)
             break;
         fmb_skip_space(c);
@@ -251,8 +250,7 @@ static fmb_status set_ine_objective(fmb_ine *f)
     f->c->at = f->objective;
     fmb_status st = read_objective_numbers(f, &d);
     mpq_neg(d.rhs, d.rhs);
-    if (st == FMB_OK)
-        st = fmb_draft_set_objective(f->c, f->objective, &d, f->sense, f->s);
+    FMB_THEN(st, fmb_draft_set_objective(f->c, f->objective, &d, f->sense, f->s));
     fmb_draft_clear(&d);
     return st;
 }

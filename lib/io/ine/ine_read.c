@@ -38,8 +38,7 @@ static fmb_status read_matrix_shape(fmb_cursor *c, shape *h)
         st = fmb_scan_count(c, SIZE_MAX / 2, "a number of rows", &h->rows);
     fmb_skip_space(c);
     const char *columns = c->at;
-    if (st == FMB_OK)
-        st = fmb_scan_count(c, SIZE_MAX / 2, "a number of columns", &h->columns);
+    FMB_THEN(st, fmb_scan_count(c, SIZE_MAX / 2, "a number of columns", &h->columns));
     if (st == FMB_OK && h->columns == 0)
         st = fmb_io_fail(c, columns, "expected at least one column");
     if (st != FMB_OK)
@@ -195,14 +194,10 @@ static fmb_status read_lines_after_matrix(fmb_ine *f)
 fmb_status fmb_ine_read(fmb_ine *f)
 {
     fmb_status st = read_lines_before_matrix(f);
-    if (st == FMB_OK)
-        st = read_ine_matrix(f);
-    if (st == FMB_OK)
-        st = read_lines_after_matrix(f);
-    if (st == FMB_OK)
-        st = fmb_ine_take_names(f);
-    if (st == FMB_OK)
-        st = fmb_ine_finish(f);
+    FMB_THEN(st, read_ine_matrix(f));
+    FMB_THEN(st, read_lines_after_matrix(f));
+    FMB_THEN(st, fmb_ine_take_names(f));
+    FMB_THEN(st, fmb_ine_finish(f));
     fmb_ine_clear(f);
     return st;
 }

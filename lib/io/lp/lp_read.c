@@ -84,10 +84,8 @@ static fmb_status read_lp_term(lp_reader *r, bool minus, lp_reach reach)
         mpq_sub(r->row.rhs, r->row.rhs, r->scratch);
         return fmb_io_charge(r->c, at, fmb_io_digits(r->row.rhs));
     }
-    if (st == FMB_OK)
-        st = fmb_program_variable(&r->program, r->next.text, &j);
-    if (st == FMB_OK)
-        st = fmb_draft_add(&r->row, j, r->scratch);
+    FMB_THEN(st, fmb_program_variable(&r->program, r->next.text, &j));
+    FMB_THEN(st, fmb_draft_add(&r->row, j, r->scratch));
     return st == FMB_OK ? next_lp_token(r) : st;
 }
 
@@ -104,8 +102,7 @@ static fmb_status read_lp_sum(lp_reader *r, bool minus, lp_reach reach)
             r->infinite = negative == minus ? 1 : -1;
             return next_lp_token(r);
         }
-        if (st == FMB_OK)
-            st = read_lp_term(r, negative, reach);
+        FMB_THEN(st, read_lp_term(r, negative, reach));
         if (st != FMB_OK || r->next.kind != FMB_LP_SIGN ||
             (reach != LP_ALL_LINES && r->next.starts_line))
             return st;
@@ -147,22 +144,19 @@ static fmb_status read_lp_range(lp_reader *r, lp_reach reach)
     mpq_neg(first, r->row.rhs);
     fmb_draft_reset(&r->row);
     fmb_status st = read_lp_relation(r, &relation);
-    if (st == FMB_OK)
-        st = read_lp_sum(r, false, reach);
+    FMB_THEN(st, read_lp_sum(r, false, reach));
     if (st == FMB_OK && r->infinite != 0)
         st = fail_lp(r, "a finite sum between the ends");
     mpq_add(first, first, r->row.rhs);
     r->infinite = infinite;
-    if (st == FMB_OK)
-        st = set_lp_ends(r, -relation, first);
+    FMB_THEN(st, set_lp_ends(r, -relation, first));
     mpq_clear(first);
     if (st != FMB_OK || r->next.kind != FMB_LP_RELATION)
         return st;
     if (relation == 0 || r->next.relation != relation)
         return fail_lp(r, "the same relation, <= or >=, twice");
     st = read_lp_relation(r, &second);
-    if (st == FMB_OK)
-        st = read_lp_sum(r, true, LP_NUMBERS);
+    FMB_THEN(st, read_lp_sum(r, true, LP_NUMBERS));
     return st == FMB_OK ? set_lp_ends(r, second, r->row.rhs) : st;
 }
 
@@ -180,8 +174,7 @@ static fmb_status read_lp_sides(lp_reader *r, lp_reach reach)
         return next_lp_token(r);
     }
     st = read_lp_relation(r, &relation);
-    if (st == FMB_OK)
-        st = read_lp_sum(r, true, reach + 1);
+    FMB_THEN(st, read_lp_sum(r, true, reach + 1));
     return st == FMB_OK ? set_lp_ends(r, relation, r->row.rhs) : st;
 }
 
@@ -321,8 +314,7 @@ fmb_status fmb_read_lp(fmb_cursor *c, fmb_system *s)
     fmb_draft_init(&r.row, c->mem);
     mpq_inits(r.value, r.scratch, r.end[0].value, r.end[1].value, (mpq_ptr)NULL);
     fmb_status st = read_lp_sections(&r);
-    if (st == FMB_OK)
-        st = fmb_program_finish(&r.program);
+    FMB_THEN(st, fmb_program_finish(&r.program));
     mpq_clears(r.value, r.scratch, r.end[0].value, r.end[1].value, (mpq_ptr)NULL);
     fmb_draft_clear(&r.row);
     fmb_program_close(&r.program);

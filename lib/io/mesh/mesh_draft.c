@@ -44,11 +44,9 @@ static fmb_status append_triangle(fmb_cursor *c, fmb_mesh_draft *d, uint32_t thi
         return refuse_more(c, "triangles");
     FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->triangle, &d->triangle_capacity, d->triangles + 1,
                             3 * sizeof *d->triangle));
-    FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->face, &d->face_capacity, d->triangles + 1,
-                            sizeof *d->face));
+    FMB_TRY(FMB_RESERVE(d->mem, &d->face, &d->face_capacity, d->triangles + 1));
     if (d->names_size > 0)
-        FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles + 1,
-                                sizeof *d->group));
+        FMB_TRY(FMB_RESERVE(d->mem, &d->group, &d->group_capacity, d->triangles + 1));
     if (d->names_size > 0)
         d->group[d->triangles] = d->group_now;
     uint32_t *to = d->triangle + 3 * d->triangles;
@@ -74,8 +72,7 @@ static fmb_status begin_names(fmb_mesh_draft *d)
 {
     FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity, 1, 1));
     if (d->triangles > 0)
-        FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles,
-                                sizeof *d->group));
+        FMB_TRY(FMB_RESERVE(d->mem, &d->group, &d->group_capacity, d->triangles));
     for (size_t i = 0; i < d->triangles; i++)
         d->group[i] = 0;
     d->names[d->names_size++] = '\0';

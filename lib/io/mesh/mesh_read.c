@@ -129,10 +129,8 @@ static fmb_status parse_mesh(fmb_cursor *c, void *self)
     const mesh_codec *codec =
         m->format == FMB_MESH_AUTO ? guess_mesh_codec(c) : find_mesh_codec(m->format);
     fmb_status st = codec->is_text ? fmb_io_check(c) : FMB_OK;
-    if (st == FMB_OK)
-        st = codec->read(c, &d);
-    if (st == FMB_OK)
-        st = make_mesh_of_draft(c, &d, m->out);
+    FMB_THEN(st, codec->read(c, &d));
+    FMB_THEN(st, make_mesh_of_draft(c, &d, m->out));
     fmb_mesh_draft_clear(&d);
     return st;
 }
@@ -199,10 +197,8 @@ static fmb_status read_tetgen(const tetgen_file *points, const tetgen_file *cell
     fmb_cursor none = fmb_io_cursor("", 0, how, &mem, where);
     fmb_status st = read_part_of_tetgen(points, how, fmb_mesh_read_node, &d, where);
     *in_cells = st == FMB_OK;
-    if (st == FMB_OK)
-        st = read_part_of_tetgen(cells, how, fmb_mesh_read_ele, &d, where);
-    if (st == FMB_OK)
-        st = make_mesh_of_draft(&none, &d, out);
+    FMB_THEN(st, read_part_of_tetgen(cells, how, fmb_mesh_read_ele, &d, where));
+    FMB_THEN(st, make_mesh_of_draft(&none, &d, out));
     fmb_mesh_draft_clear(&d);
     return st;
 }

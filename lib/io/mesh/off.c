@@ -55,8 +55,7 @@ static fmb_status read_off_points(fmb_cursor *c, fmb_mesh_draft *d, size_t verti
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < vertices; i++) {
         st = fmb_mesh_scan_point(c, d, p);
-        if (st == FMB_OK)
-            st = fmb_mesh_draft_point(c, d, p);
+        FMB_THEN(st, fmb_mesh_draft_point(c, d, p));
         if (by_lines)
             fmb_skip_line(c);
         for (int j = 0; !by_lines && st == FMB_OK && j < more; j++)
@@ -77,8 +76,7 @@ static fmb_status read_off_face(fmb_cursor *c, fmb_mesh_draft *d)
         fmb_mesh_draft_face(d);
     for (size_t k = 0; st == FMB_OK && k < corners; k++) {
         st = fmb_mesh_scan_vertex(c, d, 0, d->points, &v);
-        if (st == FMB_OK)
-            st = fmb_mesh_draft_corner(c, d, v);
+        FMB_THEN(st, fmb_mesh_draft_corner(c, d, v));
     }
     fmb_skip_line(c);
     return st;

@@ -80,8 +80,7 @@ static fmb_status read_ply_element(fmb_cursor *c, ply_header *h)
                      .to = h->properties};
     fmb_skip_blanks(c);
     FMB_TRY(fmb_scan_count(c, FMB_MESH_MOST, "the number of elements", &e.number));
-    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&h->element, &h->element_capacity, h->elements + 1,
-                            sizeof *h->element));
+    FMB_TRY(FMB_RESERVE(c->mem, &h->element, &h->element_capacity, h->elements + 1));
     h->element[h->elements++] = e;
     return FMB_OK;
 }
@@ -126,8 +125,7 @@ static fmb_status read_ply_property(fmb_cursor *c, ply_header *h, const char *li
     if (p.role != ROLE_NONE && (e->roles >> p.role & 1))
         return fmb_io_fail(c, line, "expected a property of another name: it came before");
     e->roles |= p.role != ROLE_NONE ? 1U << p.role : 0;
-    st = fmb_mem_reserve(c->mem, (void **)&h->property, &h->property_capacity, h->properties + 1,
-                         sizeof *h->property);
+    st = FMB_RESERVE(c->mem, &h->property, &h->property_capacity, h->properties + 1);
     if (st == FMB_OK)
         h->property[h->properties++] = p;
     e->to = h->properties;

@@ -26,17 +26,14 @@ fmb_status fmb_mesh_read_node(fmb_cursor *c, fmb_mesh_draft *d)
     fmb_status st = fmb_mesh_scan_size(c, d, "the number of points", &points);
     d->skip(c);
     const char *at = c->at;
-    if (st == FMB_OK)
-        st = fmb_mesh_scan_size(c, d, "the dimension", &dim);
+    FMB_THEN(st, fmb_mesh_scan_size(c, d, "the dimension", &dim));
     if (st == FMB_OK && dim != 3)
         st = fmb_io_fail(c, at, "expected 3 dimensions, found %zu", dim);
     fmb_skip_line(c);
     for (size_t i = 0; st == FMB_OK && i < points; i++) {
         st = read_line_number(c, d, i, &d->base);
-        if (st == FMB_OK)
-            st = fmb_mesh_scan_point(c, d, p);
-        if (st == FMB_OK)
-            st = fmb_mesh_draft_point(c, d, p);
+        FMB_THEN(st, fmb_mesh_scan_point(c, d, p));
+        FMB_THEN(st, fmb_mesh_draft_point(c, d, p));
         fmb_skip_line(c);
     }
     return st;
@@ -50,8 +47,7 @@ fmb_status fmb_mesh_read_ele(fmb_cursor *c, fmb_mesh_draft *d)
     fmb_status st = fmb_mesh_scan_size(c, d, "the number of tetrahedra", &cells);
     d->skip(c);
     const char *at = c->at;
-    if (st == FMB_OK)
-        st = fmb_mesh_scan_size(c, d, "the number of corners", &corners);
+    FMB_THEN(st, fmb_mesh_scan_size(c, d, "the number of corners", &corners));
     if (st == FMB_OK && corners != 4 && corners != 10)
         st = fmb_io_fail(c, at, "expected 4 or 10 corners of a tetrahedron, found %zu", corners);
     fmb_skip_line(c);
@@ -62,8 +58,7 @@ fmb_status fmb_mesh_read_ele(fmb_cursor *c, fmb_mesh_draft *d)
             st = fmb_mesh_scan_vertex(c, d, d->base, d->points, &v);
             corner[k] = (uint32_t)v;
         }
-        if (st == FMB_OK)
-            st = fmb_mesh_draft_tetrahedron(c, d, corner);
+        FMB_THEN(st, fmb_mesh_draft_tetrahedron(c, d, corner));
         fmb_skip_line(c);
     }
     return st;

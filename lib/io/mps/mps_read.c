@@ -104,7 +104,7 @@ static fmb_status read_row(mps_reader *m, const fmb_mps_card *card)
         return fail_field(m, f[1].n == 0 ? f[1] : f[2], "one name of a row");
     size_t i;
     FMB_TRY(fmb_program_row(&m->program, f[1], true, &i));
-    FMB_TRY(fmb_mem_reserve(m->c->mem, (void **)&m->row, &m->row_capacity, i + 1, sizeof *m->row));
+    FMB_TRY(FMB_RESERVE(m->c->mem, &m->row, &m->row_capacity, i + 1));
     m->row[i] = (mps_row){.type = (char)(*known & ~32), .name = f[1]};
     m->rows++;
     return FMB_OK;
@@ -401,10 +401,8 @@ fmb_status fmb_read_mps(fmb_cursor *c, fmb_system *s)
     fmb_draft_init(&m.draft, c->mem);
     mpq_inits(m.number, m.low, m.high, (mpq_ptr)NULL);
     fmb_status st = read_cards(&m);
-    if (st == FMB_OK)
-        st = append_mps_rows(&m);
-    if (st == FMB_OK)
-        st = set_mps_objective(&m);
+    FMB_THEN(st, append_mps_rows(&m));
+    FMB_THEN(st, set_mps_objective(&m));
     if (st == FMB_OK) {
         bound_free_integers(&m);
         st = fmb_program_finish(&m.program);

@@ -45,8 +45,7 @@ static fmb_status sort_by_columns(fmb_export *e, mps_columns *m)
         size_t n = fmb_system_terms(e->s, i);
         fmb_export_scale(e, i);
         mpq_set(m->scale[i], e->scale);
-        FMB_TRY(fmb_mem_reserve(&e->mem, (void **)&m->entry, &m->capacity, m->entries + n,
-                                sizeof *m->entry));
+        FMB_TRY(FMB_RESERVE(&e->mem, &m->entry, &m->capacity, m->entries + n));
         for (size_t k = 0; k < n; k++) {
             size_t *first = &m->first[fmb_system_term_q(e->s, i, k, q)];
             m->entry[m->entries] = (mps_entry){i, k, *first};
@@ -138,8 +137,7 @@ fmb_status fmb_write_mps(const fmb_system *s, FILE *out)
     fmb_status st = fmb_export_open(&e, s, spells_mps, out);
     if (st == FMB_OK && fmb_system_rows(s) == 0 && fmb_system_sense(s) == FMB_SENSE_NONE)
         st = FMB_ERR_ARG;
-    if (st == FMB_OK)
-        st = sort_by_columns(&e, &m);
+    FMB_THEN(st, sort_by_columns(&e, &m));
     if (st == FMB_OK) {
         fputs("NAME\n", out);
         write_mps_rows(&e);

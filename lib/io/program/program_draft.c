@@ -23,8 +23,7 @@ void fmb_program_close(fmb_program_draft *p)
 
 fmb_status fmb_program_variable(fmb_program_draft *p, fmb_span name, int *j)
 {
-    FMB_TRY(
-        fmb_mem_reserve(p->c->mem, (void **)&p->end, &p->capacity, p->ends + 1, sizeof *p->end));
+    FMB_TRY(FMB_RESERVE(p->c->mem, &p->end, &p->capacity, p->ends + 1));
     FMB_TRY(fmb_span_variable(p->c, name, p->s, j));
     if (*j < (int)p->ends)
         return FMB_OK;

@@ -8,8 +8,7 @@
 
 static fmb_status push_assertion_task(fmb_forms *f, size_t *n, uint32_t literal, fmb_span label)
 {
-    FMB_TRY(fmb_mem_reserve(f->lin->c->mem, (void **)&f->task, &f->task_capacity, *n + 1,
-                            sizeof *f->task));
+    FMB_TRY(FMB_RESERVE(f->lin->c->mem, &f->task, &f->task_capacity, *n + 1));
     f->task[(*n)++] = (fmb_form_task){literal, label};
     return FMB_OK;
 }
@@ -49,8 +48,7 @@ static fmb_status learn_fact(fmb_forms *f, const fmb_form_task *k, fmb_system *s
     if (*known != FMB_SMT_OPEN_TRUTH)
         return *known == said ? FMB_OK : append_false_row(f, v->at, k->label, s);
     fmb_smt_facts *facts = f->facts;
-    FMB_TRY(fmb_mem_reserve(f->lin->c->mem, (void **)&facts->told, &facts->told_capacity,
-                            facts->tolds + 1, sizeof *facts->told));
+    FMB_TRY(FMB_RESERVE(f->lin->c->mem, &facts->told, &facts->told_capacity, facts->tolds + 1));
     facts->told[facts->tolds++] = v->unknown;
     *known = said;
     facts->learned = true;

@@ -24,8 +24,7 @@ static fmb_status declare_boolean(fmb_smt *r, size_t number)
     fmb_smt_facts *facts = r->forms.facts;
     fmb_smt_symbol *symbol = &r->scope.symbol[number];
     if (facts->declared == facts->unknowns) {
-        FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&facts->truth, &facts->capacity,
-                                facts->unknowns + 1, sizeof *facts->truth));
+        FMB_TRY(FMB_RESERVE(r->c->mem, &facts->truth, &facts->capacity, facts->unknowns + 1));
         facts->truth[facts->unknowns++] = FMB_SMT_OPEN_TRUTH;
     }
     symbol->meaning = FMB_SMT_UNKNOWN;
@@ -127,8 +126,7 @@ static fmb_status read_parameters(fmb_smt *r, size_t *n)
         FMB_TRY(read_parameter_name(r, &p.symbol));
         FMB_TRY(read_known_sort(r, &sort));
         FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')' after the parameter", &t));
-        FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->param, &r->param_capacity, r->params + 1,
-                                sizeof *r->param));
+        FMB_TRY(FMB_RESERVE(r->c->mem, &r->param, &r->param_capacity, r->params + 1));
         p.formula = sort == FMB_SMT_BOOL;
         r->param[r->params++] = p;
     }
@@ -140,11 +138,8 @@ static fmb_status define_macro_body(fmb_smt *r, size_t symbol, size_t n, bool fo
     fmb_smt_macro m = {.first = r->params - n, .n = n, .formula = formula, .body = r->c->at};
     fmb_status st = fmb_smt_skip(r->c, "the body of the function");
     m.bytes = (size_t)(r->c->at - m.body);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(r->c->mem, (void **)&r->macro, &r->macro_capacity, r->macros + 1,
-                             sizeof *r->macro);
-    if (st == FMB_OK)
-        st = fmb_smt_give(&r->scope, symbol, false);
+    FMB_THEN(st, FMB_RESERVE(r->c->mem, &r->macro, &r->macro_capacity, r->macros + 1));
+    FMB_THEN(st, fmb_smt_give(&r->scope, symbol, false));
     if (st != FMB_OK)
         return st;
     r->macro[r->macros] = m;

@@ -18,8 +18,7 @@ static fmb_status mark_as_reached(fmb_lin *l, uint32_t node, size_t *n)
 {
     if (l->node[node].stamp == l->stamp)
         return FMB_OK;
-    FMB_TRY(fmb_mem_reserve(l->c->mem, (void **)&l->reached, &l->reached_capacity, *n + 1,
-                            sizeof *l->reached));
+    FMB_TRY(FMB_RESERVE(l->c->mem, &l->reached, &l->reached_capacity, *n + 1));
     l->node[node].stamp = l->stamp;
     l->reached[(*n)++] = node;
     return FMB_OK;
@@ -28,8 +27,7 @@ static fmb_status mark_as_reached(fmb_lin *l, uint32_t node, size_t *n)
 static fmb_status reserve_factors(fmb_lin *l, size_t n)
 {
     size_t capacity = l->factors;
-    fmb_status st =
-        fmb_mem_reserve(l->c->mem, (void **)&l->factor, &capacity, n, sizeof *l->factor);
+    fmb_status st = FMB_RESERVE(l->c->mem, &l->factor, &capacity, n);
     for (; l->factors < capacity; l->factors++)
         mpq_init(l->factor[l->factors]);
     return st;

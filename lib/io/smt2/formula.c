@@ -6,8 +6,7 @@ static fmb_status new_formula_node(fmb_forms *f, const fmb_form_node *v, uint32_
     fmb_mem *mem = f->lin->c->mem;
     if (f->nodes > UINT32_MAX / 2)
         return FMB_ERR_MEMORY;
-    FMB_TRY(
-        fmb_mem_reserve(mem, (void **)&f->node, &f->node_capacity, f->nodes + 1, sizeof *f->node));
+    FMB_TRY(FMB_RESERVE(mem, &f->node, &f->node_capacity, f->nodes + 1));
     f->node[f->nodes] = *v;
     *out = (uint32_t)(2 * f->nodes++);
     return FMB_OK;
@@ -67,12 +66,10 @@ static fmb_status new_node_with_children(fmb_forms *f, fmb_form_node *v, size_t 
 {
     if (n >= UINT32_MAX)
         return FMB_ERR_MEMORY;
-    fmb_status st = fmb_mem_reserve(f->lin->c->mem, (void **)&f->child, &f->child_capacity,
-                                    f->children + n, sizeof *f->child);
+    fmb_status st = FMB_RESERVE(f->lin->c->mem, &f->child, &f->child_capacity, f->children + n);
     v->first = f->children;
     v->n = (uint32_t)n;
-    if (st == FMB_OK)
-        st = new_formula_node(f, v, out);
+    FMB_THEN(st, new_formula_node(f, v, out));
     if (st != FMB_OK)
         return st;
     for (size_t k = 0; k < n; k++)

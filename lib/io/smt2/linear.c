@@ -44,8 +44,7 @@ static fmb_status new_linear_node(fmb_lin *l, int var, uint32_t *out)
 {
     if (l->nodes >= UINT32_MAX)
         return FMB_ERR_MEMORY;
-    FMB_TRY(fmb_mem_reserve(l->c->mem, (void **)&l->node, &l->node_capacity, l->nodes + 1,
-                            sizeof *l->node));
+    FMB_TRY(FMB_RESERVE(l->c->mem, &l->node, &l->node_capacity, l->nodes + 1));
     fmb_lin_node *v = &l->node[l->nodes];
     *v = (fmb_lin_node){.var = var, .first = l->terms};
     mpq_init(v->constant);
@@ -92,8 +91,7 @@ static fmb_status merge_equal_leaves(fmb_lin *l, const char *at)
         if (n > 0 && s->term[n - 1].leaf == t->leaf) {
             mpq_ptr into = s->term[n - 1].coef;
             mpq_add(into, into, t->coef);
-            if (st == FMB_OK)
-                st = fmb_io_charge(l->c, at, fmb_io_digits(into));
+            FMB_THEN(st, fmb_io_charge(l->c, at, fmb_io_digits(into)));
         } else {
             n -= n > 0 && mpq_sgn(s->term[n - 1].coef) == 0;
             s->term[n].leaf = t->leaf;
@@ -116,8 +114,7 @@ static fmb_status open_sum_term(fmb_lin *l, const char *at, uint32_t leaf, mpq_p
     fmb_status st = FMB_OK;
     if (s->n >= 2 * s->tidy + 2 * FMB_LIN_SHORT)
         st = merge_equal_leaves(l, at);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(l->c->mem, (void **)&s->term, &s->capacity, s->n + 1, sizeof *s->term);
+    FMB_THEN(st, FMB_RESERVE(l->c->mem, &s->term, &s->capacity, s->n + 1));
     for (size_t k = old; k < s->capacity; k++)
         mpq_init(s->term[k].coef);
     if (st != FMB_OK)
@@ -171,8 +168,7 @@ fmb_status fmb_lin_end(fmb_lin *l, uint32_t *out)
         *out = s->term[0].leaf;
         return FMB_OK;
     }
-    FMB_TRY(fmb_mem_reserve(l->c->mem, (void **)&l->term, &l->term_capacity, l->terms + s->n,
-                            sizeof *l->term));
+    FMB_TRY(FMB_RESERVE(l->c->mem, &l->term, &l->term_capacity, l->terms + s->n));
     FMB_TRY(new_linear_node(l, -1, out));
     fmb_lin_node *v = &l->node[*out];
     mpq_swap(v->constant, s->constant);

@@ -3,8 +3,7 @@
 
 static fmb_status reserve_literals(fmb_smt *r, size_t n)
 {
-    return fmb_mem_reserve(r->c->mem, (void **)&r->literal, &r->literal_capacity, n,
-                           sizeof *r->literal);
+    return FMB_RESERVE(r->c->mem, &r->literal, &r->literal_capacity, n);
 }
 
 /* ---- terms ----------------------------------------------------------------------------------- */
@@ -100,10 +99,8 @@ static fmb_status compare_two_terms(fmb_smt *r, const char *at, uint32_t a, uint
     mpq_set_si(r->number, 1, 1);
     fmb_status st = fmb_lin_add(&r->lin, at, a, r->number);
     mpq_set_si(r->number, -1, 1);
-    if (st == FMB_OK)
-        st = fmb_lin_add(&r->lin, at, b, r->number);
-    if (st == FMB_OK)
-        st = fmb_lin_end(&r->lin, &difference);
+    FMB_THEN(st, fmb_lin_add(&r->lin, at, b, r->number));
+    FMB_THEN(st, fmb_lin_end(&r->lin, &difference));
     return st == FMB_OK ? fmb_form_atom(&r->forms, at, difference, rel, out) : st;
 }
 

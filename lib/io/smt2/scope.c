@@ -44,9 +44,8 @@ static fmb_status reserve_symbol_slots(fmb_smt_scope *s)
         slots *= 2;
     if (slots == s->slots)
         return FMB_OK;
-    size_t *slot = fmb_mem_zero(s->mem, slots, sizeof *slot);
-    if (!slot)
-        return fmb_mem_status(s->mem);
+    size_t *slot;
+    FMB_TRY(FMB_GET_ZERO(s->mem, slot, slots));
     fmb_mem_put(s->mem, s->slot, s->slots, sizeof *s->slot);
     s->slot = slot;
     s->slots = slots;
@@ -60,8 +59,7 @@ fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out)
     FMB_TRY(reserve_symbol_slots(s));
     size_t i = find_symbol_slot(s, text);
     if (s->slot[i] == 0) {
-        FMB_TRY(fmb_mem_reserve(s->mem, (void **)&s->symbol, &s->symbol_capacity, s->symbols + 1,
-                                sizeof *s->symbol));
+        FMB_TRY(FMB_RESERVE(s->mem, &s->symbol, &s->symbol_capacity, s->symbols + 1));
         s->symbol[s->symbols] = (fmb_smt_symbol){.text = text, .newest = FMB_SMT_NONE};
         s->slot[i] = ++s->symbols;
     }
@@ -71,8 +69,7 @@ fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out)
 
 fmb_status fmb_smt_give(fmb_smt_scope *s, size_t symbol, bool sort)
 {
-    FMB_TRY(fmb_mem_reserve(s->mem, (void **)&s->given, &s->given_capacity, s->givens + 1,
-                            sizeof *s->given));
+    FMB_TRY(FMB_RESERVE(s->mem, &s->given, &s->given_capacity, s->givens + 1));
     s->given[s->givens++] = (fmb_smt_given){symbol, sort};
     return FMB_OK;
 }
@@ -90,8 +87,7 @@ void fmb_smt_take_back(fmb_smt_scope *s, size_t givens)
 
 fmb_status fmb_smt_bind(fmb_smt_scope *s, size_t symbol, fmb_smt_value value)
 {
-    FMB_TRY(fmb_mem_reserve(s->mem, (void **)&s->local, &s->local_capacity, s->locals + 1,
-                            sizeof *s->local));
+    FMB_TRY(FMB_RESERVE(s->mem, &s->local, &s->local_capacity, s->locals + 1));
     s->local[s->locals] = (fmb_smt_local){symbol, s->symbol[symbol].newest, value};
     s->symbol[symbol].newest = s->locals++;
     return FMB_OK;

@@ -7,8 +7,7 @@
 
 static fmb_status push_open_frame(fmb_smt *r, fmb_smt_frame_kind kind, const char *at)
 {
-    FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->frame, &r->frame_capacity, r->frames + 1,
-                            sizeof *r->frame));
+    FMB_TRY(FMB_RESERVE(r->c->mem, &r->frame, &r->frame_capacity, r->frames + 1));
     r->frame[r->frames++] = (fmb_smt_frame){
         .kind = kind, .at = at, .values = r->values, .locals = r->scope.locals, .names = r->names};
     return FMB_OK;
@@ -16,8 +15,7 @@ static fmb_status push_open_frame(fmb_smt *r, fmb_smt_frame_kind kind, const cha
 
 static fmb_status push_argument_value(fmb_smt *r, fmb_smt_value v)
 {
-    FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->value, &r->value_capacity, r->values + 1,
-                            sizeof *r->value));
+    FMB_TRY(FMB_RESERVE(r->c->mem, &r->value, &r->value_capacity, r->values + 1));
     r->value[r->values++] = v;
     return FMB_OK;
 }
@@ -58,8 +56,7 @@ static fmb_status read_next_binding(fmb_smt *r)
     size_t symbol;
     FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a binding", &t));
     FMB_TRY(fmb_smt_intern(&r->scope, t.text, &symbol));
-    FMB_TRY(fmb_mem_reserve(r->c->mem, (void **)&r->name, &r->name_capacity, r->names + 1,
-                            sizeof *r->name));
+    FMB_TRY(FMB_RESERVE(r->c->mem, &r->name, &r->name_capacity, r->names + 1));
     r->name[r->names++] = symbol;
     return FMB_OK;
 }
@@ -172,8 +169,7 @@ static fmb_status deliver_to_open_frames(fmb_smt *r, size_t base, fmb_smt_value 
             return push_argument_value(r, *v);
         case FMB_SMT_LET:
             st = push_argument_value(r, *v);
-            if (st == FMB_OK)
-                st = expect_closing(r, "')' after the binding");
+            FMB_THEN(st, expect_closing(r, "')' after the binding"));
             return st == FMB_OK ? read_next_binding(r) : st;
         case FMB_SMT_BODY:
             st = expect_closing(r, "')' after the body of let");
@@ -286,11 +282,11 @@ fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out)
         fmb_smt_value v;
         bool ready = false;
         FMB_TRY(fmb_smt_next(r->c, &t));
-        if (t.kind == FMB_SMT_OPEN)
+        if (t.kind == FMB_SMT_OPEN) {
             FMB_TRY(open_parenthesis(r, t.at));
-        else if (t.kind == FMB_SMT_CLOSE)
+        } else if (t.kind == FMB_SMT_CLOSE) {
             FMB_TRY(close_application(r, base, &t, &v, &ready));
-        else {
+        } else {
             ready = true;
             FMB_TRY(t.kind == FMB_SMT_SYMBOL   ? value_of_name(r, &t, &v)
                     : t.kind == FMB_SMT_NUMBER ? value_of_numeral(r, &t, &v)

@@ -104,11 +104,11 @@ static fmb_status read_signed_factor(fmb_text *t, fmb_draft *d, mpq_t constant, 
             break;
     }
     mpq_set_ui(constant, 0, 1);
-    if (fmb_peek(c) == '(')
+    if (fmb_peek(c) == '(') {
         FMB_TRY(read_parenthesis(t, d, constant, depth));
-    else if (is_at_start_of_name(c))
+    } else if (is_at_start_of_name(c)) {
         FMB_TRY(read_variable_factor(t, d));
-    else {
+    } else {
         const char *number = c->at;
         FMB_TRY(fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FRACTION,
                                 "a number, a name or '('", constant));
@@ -183,8 +183,7 @@ static fmb_status read_product_term(fmb_text *t, fmb_draft *d, mpq_t constant, i
         st = read_signed_factor(t, d, other, depth);
         end = c->at;
         group = c->at > c->begin && c->at[-1] == ')';
-        if (st == FMB_OK)
-            st = combine_factors(t, d, from, middle, constant, other, divide, p);
+        FMB_THEN(st, combine_factors(t, d, from, middle, constant, other, divide, p));
     }
     mpq_clear(other);
     return st;

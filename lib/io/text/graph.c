@@ -77,13 +77,11 @@ static fmb_status read_map_line(graph *g)
     fmb_span name;
     int index = 0;
     fmb_status st = fmb_text_scan_name(g->t, &name);
-    if (st == FMB_OK)
-        st = add_coordinate(g, start, name, &index);
+    FMB_THEN(st, add_coordinate(g, start, name, &index));
     fmb_skip_blanks(c);
     if (st == FMB_OK && !fmb_accept(c, "="))
         st = fmb_io_expected(c, c->at, "'=' behind a name");
-    if (st == FMB_OK)
-        st = fmb_text_expression(g->t, &g->t->left);
+    FMB_THEN(st, fmb_text_expression(g->t, &g->t->left));
     fmb_skip_blanks(c);
     if (st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n' && fmb_peek(c) != '#')
         st = fmb_io_expected(c, c->at, "an operator or the end of the form");
@@ -117,8 +115,7 @@ static fmb_status parse_map(fmb_cursor *c, void *self)
     fmb_draft_init(&t.left, c->mem);
     fmb_status st = open_graph(&g, m->s);
     t.s = g.from;
-    if (st == FMB_OK)
-        st = read_map_lines(&g);
+    FMB_THEN(st, read_map_lines(&g));
     fmb_draft_clear(&t.left);
     fmb_mem_put(c->mem, t.name.p, t.name.capacity, 1);
     fmb_system_free(g.from);

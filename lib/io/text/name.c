@@ -62,8 +62,7 @@ fmb_status fmb_text_scan_name(fmb_text *t, fmb_span *out)
 static fmb_status note_use_of_variable(fmb_text *t, const char *p, int j)
 {
     size_t known = t->use_capacity;
-    FMB_TRY(fmb_mem_reserve(t->c->mem, (void **)&t->use, &t->use_capacity, (size_t)j + 1,
-                            sizeof *t->use));
+    FMB_TRY(FMB_RESERVE(t->c->mem, &t->use, &t->use_capacity, (size_t)j + 1));
     memset(t->use + known, 0, (t->use_capacity - known) * sizeof *t->use);
     if (t->use[j].times++ == 0)
         t->use[j].at = p;

@@ -235,13 +235,11 @@ static fmb_status read_rule_of_letters(permutation_reader *r)
     fmb_skip_blanks(c);
     const char *start = c->at;
     fmb_status st = open_sorted_names(r, start);
-    if (st == FMB_OK)
-        st = scan_letters(r, &left);
+    FMB_THEN(st, scan_letters(r, &left));
     fmb_skip_blanks(c);
     if (st == FMB_OK && !fmb_accept(c, "<>"))
         st = fail_at_sign(c);
-    if (st == FMB_OK)
-        st = scan_letters(r, &right);
+    FMB_THEN(st, scan_letters(r, &right));
     if (st == FMB_OK && left.n != right.n)
         st = fmb_io_fail(c, right.p, "expected %zu letters, as on the left, found %zu", left.n,
                          right.n);
@@ -345,8 +343,7 @@ static fmb_status parse_symmetries(fmb_cursor *c, void *self)
     fmb_text t = {.c = c, .s = names, .declared = true, .alone = true};
     permutation_reader r = {.t = &t, .s = names};
     fmb_status st = open_reader(&r, x->keep, x->n);
-    if (st == FMB_OK)
-        st = read_lines(&r);
+    FMB_THEN(st, read_lines(&r));
     close_reader(&r);
     fmb_system_free(names);
     if (st == FMB_OK)

@@ -19,8 +19,7 @@ static fmb_status read_form_alone(fmb_text *t, fmb_sense sense)
 {
     fmb_cursor *c = t->c;
     fmb_status st = fmb_io_check(c);
-    if (st == FMB_OK)
-        st = fmb_text_expression(t, &t->left);
+    FMB_THEN(st, fmb_text_expression(t, &t->left));
     fmb_skip_blanks(c);
     if (st == FMB_OK && c->at < c->end)
         st = fmb_io_expected(c, c->at, "an operator or the end of the form");

@@ -177,8 +177,7 @@ static fmb_status mark_named_variable(fmb_text *t, const char *p, fmb_span name)
 {
     int j = 0;
     FMB_TRY(fmb_text_variable(t, p, name, &j));
-    FMB_TRY(fmb_mem_reserve(t->c->mem, (void **)&t->mark, &t->mark_capacity, t->marks + 1,
-                            sizeof *t->mark));
+    FMB_TRY(FMB_RESERVE(t->c->mem, &t->mark, &t->mark_capacity, t->marks + 1));
     t->mark[t->marks++] = j;
     return FMB_OK;
 }

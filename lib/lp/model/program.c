@@ -36,7 +36,7 @@ void fmb_program_clear(fmb_program *p)
 static fmb_status reserve_row(fmb_program *p)
 {
     size_t old = p->own_capacity;
-    FMB_TRY(fmb_mem_reserve(p->mem, (void **)&p->row, &p->capacity, p->m + 1, sizeof *p->row));
+    FMB_TRY(FMB_RESERVE(p->mem, &p->row, &p->capacity, p->m + 1));
     if (p->own && p->m == old) {
         FMB_TRY(fmb_mem_reserve(p->mem, (void **)&p->own, &p->own_capacity, p->m + 1,
                                 sizeof(fmb_vec *)));
@@ -49,9 +49,8 @@ fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const in
                            const fmb_vec *value, fmb_rel rel)
 {
     FMB_TRY(reserve_row(p));
-    int *column = fmb_mem_get(p->mem, size, sizeof *column);
-    if (!column)
-        return fmb_mem_status(p->mem);
+    int *column;
+    FMB_TRY(FMB_GET(p->mem, column, size));
     for (size_t k = 0; k < size; k++)
         column[k] = place ? place[var[k]] : var[k];
     p->row[p->m++] = (fmb_program_row){size, column, value, rel, false};

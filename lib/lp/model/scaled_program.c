@@ -157,11 +157,11 @@ static fmb_status scale_columns(fmb_scaled_program *f)
 static fmb_status reserve_real_rows(fmb_scaled_program *f, size_t m, size_t terms)
 {
     fmb_mem *mem = f->run->mem;
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->start, &f->start_room, m + 1, sizeof *f->start));
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->value, &f->value_room, terms, sizeof *f->value));
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->right, &f->right_room, m, sizeof *f->right));
-    FMB_TRY(fmb_mem_reserve(mem, (void **)&f->exponent, &f->exponent_room, m, sizeof *f->exponent));
-    return fmb_mem_reserve(mem, (void **)&f->off, &f->off_room, m, sizeof *f->off);
+    FMB_TRY(FMB_RESERVE(mem, &f->start, &f->start_room, m + 1));
+    FMB_TRY(FMB_RESERVE(mem, &f->value, &f->value_room, terms));
+    FMB_TRY(FMB_RESERVE(mem, &f->right, &f->right_room, m));
+    FMB_TRY(FMB_RESERVE(mem, &f->exponent, &f->exponent_room, m));
+    return FMB_RESERVE(mem, &f->off, &f->off_room, m);
 }
 
 fmb_status fmb_scaled_program_grow(fmb_scaled_program *f)
@@ -179,9 +179,7 @@ fmb_status fmb_scaled_program_grow(fmb_scaled_program *f)
 fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fmb_program *p)
 {
     *f = (fmb_scaled_program){.run = run, .p = p, .n = (size_t)p->n};
-    f->column_exponent = fmb_mem_zero(run->mem, f->n, sizeof *f->column_exponent);
-    if (!f->column_exponent)
-        return fmb_mem_status(run->mem);
+    FMB_TRY(FMB_GET_ZERO(run->mem, f->column_exponent, f->n));
     FMB_TRY(fmb_scaled_program_grow(f));
     return find_least_coefficient(f) < ldexp(1, -WIDE) ? scale_columns(f) : FMB_OK;
 }

@@ -17,9 +17,8 @@ fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out)
 {
     fmb_mem *mem = run->mem;
     size_t n = (size_t)p->n;
-    fmb_oracle *o = fmb_mem_zero(mem, 1, sizeof *o);
-    if (!o)
-        return fmb_mem_status(mem);
+    fmb_oracle *o;
+    FMB_TRY(FMB_GET_ZERO(mem, o, 1));
     o->run = run;
     o->p = p;
     o->n = n;
@@ -30,10 +29,8 @@ fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out)
     o->v.run = run; /* whatever fails, all of it can be cleared */
     o->w.v = &o->v;
     *out = o;
-    if (st == FMB_OK)
-        st = fmb_integers_init(&o->cost, n, mem);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&o->point, n, mem);
+    FMB_THEN(st, fmb_integers_init(&o->cost, n, mem));
+    FMB_THEN(st, fmb_integers_init(&o->point, n, mem));
     return st;
 }
 
@@ -92,9 +89,8 @@ static fmb_status take_vertex(fmb_oracle *o)
 static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
 {
     fmb_vertex *v = &o->v;
-    double *right = fmb_mem_get(o->run->mem, v->m, sizeof *right);
-    if (!right)
-        return fmb_mem_status(o->run->mem);
+    double *right;
+    FMB_TRY(FMB_GET(o->run->mem, right, v->m));
     for (size_t i = 0; i < v->m; i++)
         right[i] = fmb_vertex_holds(v, i) ? 0 : scale * fmb_vertex_slack(v, i);
     fmb_backend_place(o->backend, v->basis);

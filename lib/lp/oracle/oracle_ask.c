@@ -65,9 +65,7 @@ static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
 fmb_status fmb_oracle_lean(fmb_oracle *o, const fmb_weights *cost)
 {
     if (!o->lean)
-        o->lean = fmb_mem_get(o->run->mem, o->n, sizeof *o->lean);
-    if (!o->lean)
-        return fmb_mem_status(o->run->mem);
+        FMB_TRY(FMB_GET(o->run->mem, o->lean, o->n));
     memset(o->lean, 0, o->n * sizeof *o->lean);
     for (size_t k = 0; k < cost->size; k++)
         o->lean[cost->index[k]] = mpq_get_d(cost->value[k]);

@@ -53,8 +53,7 @@ static fmb_status add_prices(const fmb_oracle *o, const mpz_t unit, int sign, fm
         st = set_ratio(o, q, v->y.z[r], unit);
         if (sign < 0)
             mpq_neg(q, q);
-        if (st == FMB_OK)
-            st = fmb_weights_add(w, (uint32_t)v->basis[r], q, o->run->mem);
+        FMB_THEN(st, fmb_weights_add(w, (uint32_t)v->basis[r], q, o->run->mem));
     }
     mpq_clear(q);
     return st;
@@ -97,8 +96,7 @@ fmb_status fmb_oracle_value(const fmb_oracle *o, mpq_t value)
         st = fmb_run_poll_long(o->run, mpq_numref(value));
     }
     mpz_mul(b, v->unit, o->cost_unit);
-    if (st == FMB_OK)
-        st = fmb_long_divide(value, b, &poll);
+    FMB_THEN(st, fmb_long_divide(value, b, &poll));
     mpz_clear(b);
     return st;
 }

@@ -233,10 +233,8 @@ fmb_status fmb_pivot_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cos
     *end = FMB_PIVOT_WALK_REACHED;
     for (size_t k = 0;; k++) {
         fmb_status st = fmb_run_poll_now(v->run);
-        if (st == FMB_OK)
-            st = fmb_vertex_solve(v);
-        if (st == FMB_OK)
-            st = fmb_vertex_price(v, cost);
+        FMB_THEN(st, fmb_vertex_solve(v));
+        FMB_THEN(st, fmb_vertex_price(v, cost));
         size_t r = st == FMB_OK ? find_place_to_leave(v, 1, stalled > PATIENCE(v)) : SIZE_MAX;
         if (r == SIZE_MAX)
             return st;

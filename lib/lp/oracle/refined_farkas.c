@@ -454,10 +454,8 @@ fmb_status fmb_refined_farkas(const fmb_vertex *v, size_t odd, int *sign, bool *
         find_rest(&t);
         *sure = is_conflict_refined(&t, sign, &hopeless);
         st = fmb_integers_settle(&t.multiplier, v->run->mem);
-        if (st == FMB_OK)
-            st = fmb_integers_settle(&t.left, v->run->mem);
-        if (st == FMB_OK)
-            st = fmb_run_poll_now(v->run);
+        FMB_THEN(st, fmb_integers_settle(&t.left, v->run->mem));
+        FMB_THEN(st, fmb_run_poll_now(v->run));
     }
     close_refinement(&t);
     return st;

@@ -31,14 +31,12 @@ static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
             mpz_mul(z.z[j], o->cost.z[j], mpq_denref(value));
             mpz_neg(z.z[j], z.z[j]);
         }
-        if (st == FMB_OK)
-            st = fmb_program_add_integers(q, z.z, FMB_LE);
+        FMB_THEN(st, fmb_program_add_integers(q, z.z, FMB_LE));
         mpq_clear(value);
     }
     for (size_t j = 0; j < z.size; j++)
         mpz_set_ui(z.z[j], j >= o->n);
-    if (st == FMB_OK)
-        st = fmb_program_add_integers(q, z.z, FMB_LE);
+    FMB_THEN(st, fmb_program_add_integers(q, z.z, FMB_LE));
     fmb_integers_clear(&z, o->run->mem);
     return st;
 }
@@ -59,8 +57,7 @@ static fmb_status take_interior_weights(fmb_oracle *o, const fmb_oracle *t, bool
             mpz_mul(mpq_denref(value), mpq_numref(w.value[k]), mpq_denref(value));
             mpz_mul(mpq_denref(value), mpq_denref(value), o->cost_unit);
             mpq_set_z(scale, mpq_denref(w.value[k]));
-            if (st == FMB_OK)
-                st = fmb_long_divide(scale, mpq_denref(value), &poll);
+            FMB_THEN(st, fmb_long_divide(scale, mpq_denref(value), &poll));
         }
     fmb_weights_clear(&o->interior_proof, o->run->mem);
     for (size_t k = 0; st == FMB_OK && k < w.size; k++) {
@@ -91,8 +88,7 @@ static fmb_status widen_interior(fmb_oracle *o, fmb_oracle *t, bool face, bool *
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
     fmb_status st = fmb_weights_add(&cost, (uint32_t)o->n, one, o->run->mem);
-    if (st == FMB_OK)
-        st = fmb_closure_approach(t, &cost, &end);
+    FMB_THEN(st, fmb_closure_approach(t, &cost, &end));
     if (st == FMB_OK && mpz_sgn(t->point.z[o->n]) <= 0)
         st = fmb_closure_climb(t, &end);
     if (st == FMB_OK) {
@@ -110,10 +106,8 @@ fmb_status fmb_oracle_find_strict_interior(fmb_oracle *o, bool face, bool *room)
     fmb_oracle *t = NULL;
     fmb_program_init(&q, o->run->mem, (int)o->n + 1);
     fmb_status st = load_interior_rows(o, face, &q);
-    if (st == FMB_OK)
-        st = fmb_oracle_new(o->run, &q, &t);
-    if (st == FMB_OK)
-        st = widen_interior(o, t, face, room);
+    FMB_THEN(st, fmb_oracle_new(o->run, &q, &t));
+    FMB_THEN(st, widen_interior(o, t, face, room));
     fmb_oracle_free(t);
     fmb_program_clear(&q);
     return st;

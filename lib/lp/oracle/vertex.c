@@ -39,8 +39,7 @@ void fmb_vertex_clear(fmb_vertex *v)
 fmb_status fmb_vertex_grow(fmb_vertex *v)
 {
     size_t marks = v->n + v->p->m, more = v->p->m - v->m;
-    FMB_TRY(
-        fmb_mem_reserve(v->run->mem, (void **)&v->is_basic, &v->marks, marks, sizeof *v->is_basic));
+    FMB_TRY(FMB_RESERVE(v->run->mem, &v->is_basic, &v->marks, marks));
     if (more == 0)
         return FMB_OK;
     memset(v->is_basic + v->n + v->m, 0, more * sizeof *v->is_basic);

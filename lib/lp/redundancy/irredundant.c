@@ -68,8 +68,7 @@ static fmb_status load_all_rows(pruner *p)
             p->all.row[i].off = p->fate[i] == FMB_FATE_REDUNDANT;
     }
     p->any_strict = p->all.any_strict;
-    if (st == FMB_OK)
-        st = fmb_oracle_new(p->run, &p->all, &p->over_all);
+    FMB_THEN(st, fmb_oracle_new(p->run, &p->all, &p->over_all));
     return st == FMB_OK ? fmb_oracle_new(p->run, &p->equal, &p->over_equal) : st;
 }
 
@@ -123,8 +122,7 @@ static fmb_status push_row(pruner *p, size_t i, int *excess)
 {
     fmb_oracle_end end;
     fmb_status st = write_form(p, i);
-    if (st == FMB_OK)
-        st = fmb_oracle_approach(p->over_all, &p->form, &end);
+    FMB_THEN(st, fmb_oracle_approach(p->over_all, &p->form, &end));
     *excess = st == FMB_OK ? sign_of_excess(p, i) : 0;
     if (st != FMB_OK || *excess > 0)
         return st;
@@ -190,8 +188,7 @@ static fmb_status lock_row(pruner *p, size_t i, bool *depends)
     bool attained;
     if (!names_new_column(p, i)) {
         st = write_form(p, i);
-        if (st == FMB_OK)
-            st = fmb_oracle_maximize(p->over_equal, &p->form, &end, &attained);
+        FMB_THEN(st, fmb_oracle_maximize(p->over_equal, &p->form, &end, &attained));
     }
     *depends = end == FMB_ORACLE_OPTIMUM;
     if (st != FMB_OK || *depends)
@@ -411,8 +408,7 @@ static fmb_status prune_in_passes(pruner *p)
 static fmb_status prune(pruner p)
 {
     fmb_status st = open_pruner(&p);
-    if (st == FMB_OK)
-        st = prune_in_passes(&p);
+    FMB_THEN(st, prune_in_passes(&p));
     close_pruner(&p);
     return st;
 }

@@ -112,10 +112,8 @@ static fmb_status tell_of_parallel(parallel_table *s, size_t i, const mpz_t of, 
     mpq_init(factor);
     mpq_set_z(factor, of);
     fmb_status st = fmb_long_divide(factor, by, &s->poll);
-    if (st == FMB_OK)
-        st = fmb_weights_add(&w, (uint32_t)k, factor, s->mem);
-    if (st == FMB_OK)
-        st = told->redundant(told->self, i, &w);
+    FMB_THEN(st, fmb_weights_add(&w, (uint32_t)k, factor, s->mem));
+    FMB_THEN(st, told->redundant(told->self, i, &w));
     fmb_weights_clear(&w, s->mem);
     mpq_clear(factor);
     return st;
@@ -183,8 +181,7 @@ fmb_status fmb_drop_parallel_rows(fmb_run *run, size_t n, size_t m, const fmb_lp
             st = find_parallel_slot(&s, i, &slot);
         if (st == FMB_OK && fate[i] == FMB_FATE_UNKNOWN)
             st = meet_parallel(&s, i, slot, fate, told);
-        if (st == FMB_OK)
-            st = fmb_run_poll(run);
+        FMB_THEN(st, fmb_run_poll(run));
     }
     fmb_mem_put(s.mem, s.scale, m, sizeof *s.scale);
     fmb_mem_put(s.mem, s.slot, s.size, sizeof *s.slot);

@@ -150,8 +150,7 @@ static fmb_status weigh_last_value(fmb_evidence *e)
 fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **out)
 {
     FMB_TRY(weigh_last_value(e));
-    FMB_TRY(fmb_mem_reserve(&e->mem, (void **)&e->claim, &e->claim_capacity, e->claims + 1,
-                            sizeof *e->claim));
+    FMB_TRY(FMB_RESERVE(&e->mem, &e->claim, &e->claim_capacity, e->claims + 1));
     fmb_claim *c = &e->claim[e->claims++];
     *c = (fmb_claim){.kind = kind, .row = SIZE_MAX, .var = -1};
     mpq_init(c->value);

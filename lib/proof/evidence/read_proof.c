@@ -122,8 +122,7 @@ static fmb_status read_bound_heading(reader *r, fmb_claim *c)
             st = fmb_words_expected(&r->words, "a number");
     } else if (st == FMB_OK) {
         st = find_variable(r, &c->var);
-        if (st == FMB_OK)
-            st = read_relation(r, c->side, 2, &c->rel);
+        FMB_THEN(st, read_relation(r, c->side, 2, &c->rel));
     }
     return st == FMB_OK ? read_number(r, c->value) : st;
 }
@@ -147,10 +146,8 @@ static fmb_status read_variables(reader *r, fmb_claim *c)
     while ((st = fmb_words_next(&r->words)) == FMB_OK && r->words.size > 0) {
         int var = 0;
         st = find_variable(r, &var);
-        if (st == FMB_OK)
-            st = mark_key(r, FMB_PART_TERM, (size_t)var);
-        if (st == FMB_OK)
-            st = fmb_evidence_push(r->e, &c->terms, (size_t)var, r->number);
+        FMB_THEN(st, mark_key(r, FMB_PART_TERM, (size_t)var));
+        FMB_THEN(st, fmb_evidence_push(r->e, &c->terms, (size_t)var, r->number));
         if (st != FMB_OK)
             break;
     }
@@ -171,8 +168,7 @@ static fmb_status read_heading(reader *r, fmb_claim *c)
         st = read_bound_heading(r, c);
     if (heading == FMB_HEADING_INEQUALITY) {
         st = read_relation(r, FMB_UPPER, 3, &c->rel);
-        if (st == FMB_OK)
-            st = read_number(r, c->value);
+        FMB_THEN(st, read_number(r, c->value));
     }
     if (heading == FMB_HEADING_VARIABLES)
         return read_variables(r, c);
@@ -184,8 +180,7 @@ static fmb_status read_claim_number(reader *r, const fmb_sparse_vector *list, si
 {
     size_t number = 1;
     fmb_status st = fmb_words_next(&r->words);
-    if (st == FMB_OK)
-        st = fmb_words_count(&r->words, "a claim before this one", r->e->claims - 1, &number);
+    FMB_THEN(st, fmb_words_count(&r->words, "a claim before this one", r->e->claims - 1, &number));
     if (st == FMB_OK && list->size > 0 && number - 1 <= list->index[list->size - 1])
         return fmb_words_expected(&r->words, "claims in ascending order in the lines 'implied'");
     *out = number - 1;
@@ -319,14 +314,10 @@ static fmb_status read_version(reader *r)
 static fmb_status read_text(reader *r)
 {
     fmb_status st = read_line_keyword(r, "fmb-proof");
-    if (st == FMB_OK)
-        st = read_version(r);
-    if (st == FMB_OK)
-        st = fmb_words_end(&r->words);
-    if (st == FMB_OK)
-        st = read_line_keyword(r, "system");
-    if (st == FMB_OK)
-        st = read_shape(r);
+    FMB_THEN(st, read_version(r));
+    FMB_THEN(st, fmb_words_end(&r->words));
+    FMB_THEN(st, read_line_keyword(r, "system"));
+    FMB_THEN(st, read_shape(r));
     while (st == FMB_OK && (st = fmb_words_line(&r->words)) == FMB_OK &&
            fmb_words_is(&r->words, "claim"))
         st = read_claim(r);

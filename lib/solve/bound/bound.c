@@ -17,10 +17,8 @@ static fmb_status push_end_by_oracle(fmb_bound_job *j, int part)
     size_t n = (size_t)j->p->n;
     FMB_TRY(fmb_query_feasible_oracle(j->q, part, &o));
     fmb_status st = fmb_found_end_init(&f, n, j->q->claims != NULL, mem);
-    if (st == FMB_OK)
-        st = fmb_find_end(o, j->column, j->sign, mem, &f);
-    if (st == FMB_OK)
-        st = fmb_note_end(j, &f);
+    FMB_THEN(st, fmb_find_end(o, j->column, j->sign, mem, &f));
+    FMB_THEN(st, fmb_note_end(j, &f));
     fmb_found_end_clear(&f, n, mem);
     return st;
 }
@@ -137,8 +135,7 @@ fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n,
     fmb_box *box = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
-    if (st == FMB_OK)
-        st = fmb_solver_expect_variables(v, s, "vars", vars, n);
+    FMB_THEN(st, fmb_solver_expect_variables(v, s, "vars", vars, n));
     if (st != FMB_OK)
         return st;
     st = fmb_query_resume(&q, v, s, "bound");

@@ -37,10 +37,8 @@ fmb_status fmb_find_end(fmb_oracle *o, int column, int sign, fmb_mem *mem, fmb_f
     mpq_init(one);
     mpq_set_si(one, sign, 1);
     fmb_status st = fmb_weights_add(&cost, (uint32_t)column, one, mem);
-    if (st == FMB_OK)
-        st = fmb_oracle_maximize(o, &cost, &f->end, &f->attained);
-    if (st == FMB_OK)
-        st = read_answer(o, sign, f);
+    FMB_THEN(st, fmb_oracle_maximize(o, &cost, &f->end, &f->attained));
+    FMB_THEN(st, read_answer(o, sign, f));
     f->known = st == FMB_OK;
     fmb_weights_clear(&cost, mem);
     mpq_clear(one);

@@ -32,8 +32,7 @@ static fmb_status claim_end_of_row(fmb_bound_job *j, const fmb_elim *e, uint32_t
         mpq_set(j->q->x[j->column], j->end->value);
         st = fmb_elim_point(e, j->end->attained ? FMB_POINT_INSIDE : FMB_POINT_CLOSURE, j->q->x);
     }
-    if (st == FMB_OK)
-        st = fmb_bound_claim(j, &w);
+    FMB_THEN(st, fmb_bound_claim(j, &w));
     fmb_weights_clear(&w, j->q->run.mem);
     mpq_clear(t);
     return st;
@@ -230,10 +229,8 @@ fmb_status fmb_bound_by_elimination(fmb_query *q, int part, fmb_box *box)
     if (st == FMB_OK && !fmb_mark_possible(&d.e)) {
         st = bound_each_from_start(&d, column, asked);
     } else {
-        if (st == FMB_OK)
-            st = eliminate_columns(&d, column + asked, d.p->n - asked);
-        if (st == FMB_OK)
-            st = bound_columns_left(&d, column, asked);
+        FMB_THEN(st, eliminate_columns(&d, column + asked, d.p->n - asked));
+        FMB_THEN(st, bound_columns_left(&d, column, asked));
     }
     fmb_status saved = st == FMB_LIMIT ? fmb_outer_from_rows(q, d.p, &d.e, box) : FMB_OK;
     fmb_elim_clear(&d.e);

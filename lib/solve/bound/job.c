@@ -11,8 +11,7 @@ fmb_status fmb_bound_claim(fmb_bound_job *j, const fmb_weights *w)
     claim->rel = j->end->attained ? FMB_LE : FMB_LT;
     mpq_set(claim->value, j->end->value);
     fmb_status st = fmb_query_push(q, j->p, w, SIZE_MAX, 1, &claim->multipliers);
-    if (st == FMB_OK)
-        st = fmb_query_attach_point(q, claim, j->p, j->q->x);
+    FMB_THEN(st, fmb_query_attach_point(q, claim, j->p, j->q->x));
     return fmb_query_finish_claim(q, st);
 }
 
@@ -32,7 +31,6 @@ fmb_status fmb_bound_claim_unbounded(fmb_bound_job *j)
         mpq_set_si(j->q->x[0], j->sign, 1);
         st = fmb_evidence_push(j->q->claims, &claim->ray, (size_t)j->var, j->q->x[0]);
     }
-    if (st == FMB_OK)
-        st = fmb_run_poll(&j->q->run);
+    FMB_THEN(st, fmb_run_poll(&j->q->run));
     return fmb_query_finish_claim(j->q, st);
 }

@@ -9,9 +9,7 @@ fmb_status fmb_plane_open(fmb_plane *p, fmb_elim *e, int x, int y, bool *possibl
     *p = (fmb_plane){.e = e, .x = x, .y = y, .round = round};
     *round = (fmb_round){.var = y};
     *possible = false;
-    round->row = fmb_arena_get(e->arena, e->live.size, sizeof *round->row);
-    if (!round->row)
-        return fmb_mem_status(e->arena->mem);
+    FMB_TRY(FMB_ARENA_GET(e->arena, round->row, e->live.size));
     for (size_t i = 0; i < e->live.size; i++) {
         const fmb_derived *r = &e->row[e->live.row[i]];
         if (fmb_vec_sgn(&r->v, (size_t)y) == 0)

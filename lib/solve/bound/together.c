@@ -35,8 +35,7 @@ static fmb_status find_ends_of_group(void *self, size_t number, fmb_run *run)
     bool feasible;
     g->mem = run->mem;
     fmb_status st = fmb_oracle_new(run, t->program, &o);
-    if (st == FMB_OK)
-        st = fmb_oracle_feasible(o, &feasible);
+    FMB_THEN(st, fmb_oracle_feasible(o, &feasible));
     for (int k = 0; st == FMB_OK && k < 2 * g->count; k++) {
         int var = t->box->var[t->place[g->first + k / 2]];
         fmb_found_end *f = &g->end[k / 2][k % 2];
@@ -80,8 +79,7 @@ static fmb_status find_and_note_all_ends(shared_search *t, fmb_box *box)
     if (worst == FMB_OK)
         worst = fmb_team_do(&team, (size_t)t->groups, find_ends_of_group, t);
     for (int k = 0; k < t->groups; k++) {
-        if (st == FMB_OK)
-            st = note_ends_of_group(t, &t->group[k], box);
+        FMB_THEN(st, note_ends_of_group(t, &t->group[k], box));
         close_group(t, &t->group[k]);
     }
     fmb_team_close(&team);
@@ -98,9 +96,7 @@ fmb_status fmb_find_ends_together(fmb_query *q, int part, fmb_box *box, const in
                        .box = box,
                        .place = place,
                        .groups = (count + GROUP - 1) / GROUP};
-    t.group = fmb_mem_zero(q->run.mem, (size_t)t.groups, sizeof *t.group);
-    if (!t.group)
-        return fmb_mem_status(q->run.mem);
+    FMB_TRY(FMB_GET_ZERO(q->run.mem, t.group, (size_t)t.groups));
     for (int k = 0; k < t.groups; k++) {
         int first = k * GROUP;
         t.group[k].first = first;

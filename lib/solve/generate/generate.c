@@ -64,8 +64,7 @@ static fmb_status generate_system(fmb_query *q, fmb_generators *to, fmb_verdict 
     fmb_run_reserve(&q->run);
     st = fmb_lifted_open(&h, q, q->s);
     bool open = st == FMB_OK;
-    if (st == FMB_OK)
-        st = fmb_lifted_find_rays(&h);
+    FMB_THEN(st, fmb_lifted_find_rays(&h));
     if (st == FMB_OK)
         st = take_generators(&h, to, verdict);
     else if (open && st == FMB_LIMIT)
@@ -86,8 +85,7 @@ fmb_status fmb_generate(fmb_solver *v, const fmb_system *s, fmb_generators **out
         fmb_mem_enter(&g->mem, &v->mem);
     else if (st == FMB_OK || st == FMB_LIMIT)
         st = opened;
-    if (st == FMB_OK)
-        st = generate_system(&q, g, &verdict);
+    FMB_THEN(st, generate_system(&q, g, &verdict));
     bool some = (st == FMB_OK || st == FMB_LIMIT) && g && g->size > 0;
     if (g)
         fmb_mem_leave(&g->mem);

@@ -20,9 +20,8 @@ static fmb_status find_some_facets(fmb_image *m)
     fmb_image dual = {0};
     for (; m->facets > 0; m->facets--)
         fmb_vec_clear(&m->facet[m->facets - 1].v, m->n, mem);
-    fmb_cone_row *row = fmb_mem_get(mem, rows, sizeof *row);
-    if (!row)
-        return fmb_mem_status(mem);
+    fmb_cone_row *row;
+    FMB_TRY(FMB_GET(mem, row, rows));
     for (size_t i = 0; i < rows; i++)
         row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
                               : (fmb_cone_row){.v = &m->ray[i - m->lines]};
@@ -41,8 +40,7 @@ static fmb_status find_facets(fmb_image *m, fmb_system *out)
     bool all = st == FMB_OK;
     if (st == FMB_LIMIT)
         st = find_some_facets(m);
-    if (st == FMB_OK)
-        st = append_all_facets(m, out);
+    FMB_THEN(st, append_all_facets(m, out));
     return st == FMB_OK && !all ? FMB_LIMIT : st;
 }
 
@@ -73,8 +71,7 @@ static fmb_status ask_for_hull(fmb_solver *v, const fmb_generators *g, fmb_syste
     fmb_query q;
     fmb_status st = fmb_query_begin(&q, v, hull, "hull");
     fmb_mem_enter(&hull->mem, &v->mem);
-    if (st == FMB_OK)
-        st = find_hull(&q, g, hull, verdict);
+    FMB_THEN(st, find_hull(&q, g, hull, verdict));
     fmb_mem_leave(&hull->mem);
     bool some = st == FMB_OK || (st == FMB_LIMIT && fmb_system_rows(hull) > 0);
     st = fmb_query_end(&q, st, *verdict, res);

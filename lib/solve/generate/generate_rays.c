@@ -51,9 +51,8 @@ static int compare_rows(const void *x, const void *y)
 static fmb_status sort_rows(const fmb_lifted *h, fmb_cone_row *row)
 {
     fmb_mem *mem = h->q->run.mem;
-    sorted_row *list = fmb_mem_get(mem, h->rows.size, sizeof *list);
-    if (!list)
-        return fmb_mem_status(mem);
+    sorted_row *list;
+    FMB_TRY(FMB_GET(mem, list, h->rows.size));
     for (size_t i = 0; i < h->rows.size; i++)
         list[i] = (sorted_row){h->rows.row[i], h->d};
     qsort(list, h->rows.size, sizeof *list, compare_rows);
@@ -81,14 +80,12 @@ static fmb_status find_rays_as_facets(fmb_lifted *h)
     fmb_run *run = &h->q->run;
     bool wide = fmb_query_is_wide(h->q);
     fmb_image rows = {0};
-    bool *line = fmb_mem_get(run->mem, h->rows.size, sizeof *line);
-    if (!line)
-        return fmb_mem_status(run->mem);
+    bool *line;
+    FMB_TRY(FMB_GET(run->mem, line, h->rows.size));
     for (size_t i = 0; i < h->rows.size; i++)
         line[i] = h->rows.row[i].equality;
     fmb_status st = fmb_image_init_vectors(&rows, run, h->d, h->rows.size, h->rows.v, line, wide);
-    if (st == FMB_OK)
-        st = fmb_image_init_dual(&h->image, &rows);
+    FMB_THEN(st, fmb_image_init_dual(&h->image, &rows));
     fmb_image_clear(&rows);
     fmb_mem_put(run->mem, line, h->rows.size, sizeof *line);
     return st;
@@ -198,8 +195,7 @@ fmb_status fmb_lifted_find_rays(fmb_lifted *h)
         return find_rays(h, NULL, true);
     fmb_cone_row *sorted = fmb_mem_get(mem, h->rows.size, sizeof *sorted);
     fmb_status st = sorted ? sort_rows(h, sorted) : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = find_rays(h, sorted, are_facets_cheaper(h, sorted));
+    FMB_THEN(st, find_rays(h, sorted, are_facets_cheaper(h, sorted)));
     fmb_mem_put(mem, sorted, h->rows.size, sizeof *sorted);
     return st;
 }

@@ -66,8 +66,7 @@ fmb_status fmb_find_some_rays(fmb_run *run, const fmb_cone_row *row, size_t rows
     fmb_arena_init(&arena, run->mem);
     fmb_vec *v = fmb_mem_zero(run->mem, m, sizeof *v);
     fmb_status st = v ? copy_rows(row, rows, d, &arena, v) : fmb_mem_status(run->mem);
-    if (st == FMB_OK)
-        st = ask_and_take(run, v, m, d, image);
+    FMB_THEN(st, ask_and_take(run, v, m, d, image));
     for (size_t i = 0; v && i < m; i++)
         fmb_vec_clear(&v[i], d, run->mem);
     fmb_mem_put(run->mem, v, m, sizeof *v);

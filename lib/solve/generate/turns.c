@@ -57,8 +57,7 @@ static fmb_status find_facets_by_rows(turns *t, fmb_dual *d, uint64_t rays, bool
                      .budget = rays,
                      .unit = "rays"};
     fmb_status st = d->of ? FMB_OK : fmb_dual_open(d, t->m, sparse);
-    if (st == FMB_OK)
-        st = fmb_dual_find_facets(d, rays, false, done);
+    FMB_THEN(st, fmb_dual_find_facets(d, rays, false, done));
     tell_facet_attempt(t->m, a, st, *done);
     return st;
 }
@@ -76,8 +75,7 @@ static fmb_status find_facets_by_section(turns *t, uint64_t pairs, bool *done)
     fmb_image *m = t->m, dual = {0};
     size_t few = 2 * m->n + m->rays / ROWS_OF_FACET;
     fmb_status st = c->run ? FMB_OK : fmb_section_open(c, m->run, m->ray, m->rays, m->n);
-    if (st == FMB_OK)
-        st = fmb_section_ask(c, few, pairs, done);
+    FMB_THEN(st, fmb_section_ask(c, few, pairs, done));
     t->are_facets_many = !*done && fmb_section_found(c) > few;
     if (st == FMB_OK && *done)
         st = fmb_section_take_rays(c, &dual);

@@ -63,8 +63,7 @@ fmb_status fmb_outer_from_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb
     if (e->rows > MOST_ROWS && e->row[p->m].p != FMB_NO_ROW)
         return FMB_OK;
     fmb_status st = fmb_ends_open(&f, e);
-    if (st == FMB_OK)
-        st = fmb_ends_find(&f);
+    FMB_THEN(st, fmb_ends_find(&f));
     if (st == FMB_OK && e->clash == FMB_NO_ROW)
         st = put_outer_ends(q, p, &f, box);
     fmb_ends_clear(&f);

@@ -39,8 +39,7 @@ static fmb_status find_parallel_rows(fmb_query *q, const fmb_system *out, size_t
         fmb_sysrow_expand(fmb_system_row(out, first + made), n, z);
         st = fmb_vec_set_z(&v[made], n + 1, z, q->run.mem);
     }
-    if (st == FMB_OK)
-        st = decide_parallel_rows(q, n, m, row, fate);
+    FMB_THEN(st, decide_parallel_rows(q, n, m, row, fate));
     for (size_t i = 0; i < made; i++)
         fmb_vec_clear(&v[i], n + 1, q->run.mem);
     fmb_vec_block_free(z, n + 1, q->run.mem);

@@ -162,8 +162,7 @@ static fmb_status append_equation(echelon *e, size_t k)
     for (size_t i = 0; st == FMB_OK && e->of[k] && i < e->size; i++)
         if (mpq_sgn(e->of[k][i]) != 0)
             st = fmb_weights_add(&w, (uint32_t)e->at[i], e->of[k][i], mem);
-    if (st == FMB_OK)
-        st = fmb_claimed_rows_append(e->c, e->row[k].z, FMB_EQ, &w);
+    FMB_THEN(st, fmb_claimed_rows_append(e->c, e->row[k].z, FMB_EQ, &w));
     fmb_weights_clear(&w, mem);
     return st;
 }
@@ -175,8 +174,7 @@ static fmb_status replace_equations(echelon *e)
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < e->rank; k++) {
         st = normalize_equation(e, k);
-        if (st == FMB_OK)
-            st = append_equation(e, k);
+        FMB_THEN(st, append_equation(e, k));
     }
     while (st != FMB_OK && e->c->image->rows > rows)
         fmb_claimed_rows_drop(e->c, e->c->image->rows - 1);
@@ -241,14 +239,11 @@ static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
     mpq_inits(own, content, NULL);
     fmb_sysrow_expand(&e->c->image->row[i], e->n, z);
     fmb_status st = subtract_equations(e, z, own, &w);
-    if (st == FMB_OK)
-        st = fmb_weights_add(&w, (uint32_t)i, own, mem);
-    if (st == FMB_OK)
-        st = fmb_integers_reduce(z, e->n + 1, mpq_numref(content), &e->poll);
+    FMB_THEN(st, fmb_weights_add(&w, (uint32_t)i, own, mem));
+    FMB_THEN(st, fmb_integers_reduce(z, e->n + 1, mpq_numref(content), &e->poll));
     for (size_t k = 0; st == FMB_OK && k < w.size; k++)
         mpq_div(w.value[k], w.value[k], content);
-    if (st == FMB_OK)
-        st = fmb_claimed_rows_append(e->c, z, e->c->image->row[i].rel, &w);
+    FMB_THEN(st, fmb_claimed_rows_append(e->c, z, e->c->image->row[i].rel, &w));
     if (st == FMB_OK)
         fmb_claimed_rows_put_last(e->c, i);
     mpq_clears(own, content, NULL);
@@ -288,8 +283,7 @@ static fmb_status reduce_inequalities(echelon *e)
             st = check_row(e, r, &reduced);
         if (st == FMB_OK && !reduced)
             st = reduce_inequality(e, i, z.z);
-        if (st == FMB_OK)
-            st = fmb_integers_settle(&z, mem);
+        FMB_THEN(st, fmb_integers_settle(&z, mem));
     }
     fmb_integers_clear(&z, mem);
     return st;
@@ -303,12 +297,9 @@ static fmb_status reduce_rows(fmb_claimed_rows *c)
     for (size_t i = 0; i < c->image->rows; i++)
         e.size += c->image->row[i].rel == FMB_EQ;
     fmb_status st = open_echelon(&e);
-    if (st == FMB_OK)
-        st = bring_to_echelon_form(&e);
-    if (st == FMB_OK)
-        st = replace_equations(&e);
-    if (st == FMB_OK)
-        st = reduce_inequalities(&e);
+    FMB_THEN(st, bring_to_echelon_form(&e));
+    FMB_THEN(st, replace_equations(&e));
+    FMB_THEN(st, reduce_inequalities(&e));
     close_echelon(&e);
     return st;
 }
@@ -317,12 +308,9 @@ fmb_status fmb_query_canonical(fmb_query *q, const int *place, fmb_system *image
 {
     fmb_claimed_rows c;
     fmb_status st = fmb_claimed_rows_open(&c, q, place, image);
-    if (st == FMB_OK)
-        st = reduce_rows(&c);
-    if (st == FMB_OK)
-        st = fmb_canonical_faces(&c);
-    if (st == FMB_OK)
-        st = fmb_claimed_rows_sort(&c);
+    FMB_THEN(st, reduce_rows(&c));
+    FMB_THEN(st, fmb_canonical_faces(&c));
+    FMB_THEN(st, fmb_claimed_rows_sort(&c));
     fmb_claimed_rows_close(&c);
     return st;
 }

@@ -11,9 +11,7 @@ fmb_status fmb_claimed_rows_open(fmb_claimed_rows *c, fmb_query *q, const int *p
 {
     fmb_mem *mem = q->run.mem;
     *c = (fmb_claimed_rows){.q = q, .image = image};
-    c->variable = fmb_mem_get(mem, (size_t)fmb_system_dim(image), sizeof *c->variable);
-    if (!c->variable)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_GET(mem, c->variable, (size_t)fmb_system_dim(image)));
     for (int j = 0; j < fmb_system_dim(q->s); j++)
         if (place[j] >= 0)
             c->variable[place[j]] = j;
@@ -79,8 +77,7 @@ static fmb_status push_sum(fmb_claimed_rows *c, const fmb_weights *w, int sign,
     qsort(c->touched, touched, sizeof *c->touched, compare_indices);
     for (size_t k = 0; k < touched; k++) {
         size_t i = c->touched[k];
-        if (st == FMB_OK)
-            st = fmb_evidence_push(e, to, i, c->sum[i]);
+        FMB_THEN(st, fmb_evidence_push(e, to, i, c->sum[i]));
         mpq_set_ui(c->sum[i], 0, 1);
         c->is_touched[i] = false;
     }
@@ -102,8 +99,7 @@ static fmb_status fill_claim_of_row(fmb_claimed_rows *c, fmb_claim *claim, mpz_t
         st = fmb_evidence_push(e, &claim->terms, (size_t)c->variable[j], t);
     }
     mpq_clear(t);
-    if (st == FMB_OK)
-        st = push_sum(c, w, 1, &claim->multipliers, e);
+    FMB_THEN(st, push_sum(c, w, 1, &claim->multipliers, e));
     return st == FMB_OK && rel == FMB_EQ ? push_sum(c, w, -1, &claim->reverse, e) : st;
 }
 
@@ -193,9 +189,8 @@ fmb_status fmb_claimed_rows_sort(fmb_claimed_rows *c)
     size_t rows = c->image->rows;
     if (rows < 2)
         return FMB_OK;
-    placed_row *sorted = fmb_mem_get(mem, rows, sizeof *sorted);
-    if (!sorted)
-        return fmb_mem_status(mem);
+    placed_row *sorted;
+    FMB_TRY(FMB_GET(mem, sorted, rows));
     for (size_t i = 0; i < rows; i++)
         sorted[i] = (placed_row){c->image->row[i], i};
     qsort(sorted, rows, sizeof *sorted, compare_placed_rows);

@@ -275,10 +275,8 @@ static fmb_status prove_complete(completeness_proof *w)
     for (size_t i = 0; i < fmb_system_rows(w->q->s); i++)
         w->any_strict = w->any_strict || fmb_system_rel(w->q->s, i) == FMB_LT;
     fmb_status st = fmb_integers_init(&w->y, (size_t)fmb_system_dim(w->image) + 1, mem);
-    if (st == FMB_OK)
-        st = fmb_rationals_new(&w->x, dim, mem);
-    if (st == FMB_OK)
-        st = find_met_corners(w, &found);
+    FMB_THEN(st, fmb_rationals_new(&w->x, dim, mem));
+    FMB_THEN(st, find_met_corners(w, &found));
     if (st == FMB_OK && found)
         st = claim_complete(w);
     const uint64_t work = affordable_work(w->q);

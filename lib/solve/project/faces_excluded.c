@@ -116,8 +116,7 @@ static fmb_status list_facets_and_faces(face_search *f)
 {
     closure o;
     fmb_status st = open_closure(&o, f);
-    if (st == FMB_OK)
-        st = tell_facets_from_faces(f, &o);
+    FMB_THEN(st, tell_facets_from_faces(f, &o));
     f->facet = fmb_arena_get(f->arena, o.m, sizeof *f->facet);
     f->face = fmb_arena_get(f->arena, o.m, sizeof *f->face);
     if (st == FMB_OK && (!f->facet || !f->face))
@@ -167,12 +166,9 @@ static fmb_status write_row_by_facets(face_search *f, excluded_face *face)
         fmb_vec_get_q(&r->val, k, a);
         st = fmb_weights_add(&form, (uint32_t)r->var[k], a, mem);
     }
-    if (st == FMB_OK)
-        st = fmb_oracle_maximize(f->oracle, &form, &end, &attained);
-    if (st == FMB_OK)
-        st = fmb_oracle_value(f->oracle, a);
-    if (st == FMB_OK)
-        st = fmb_oracle_point(f->oracle, f->x);
+    FMB_THEN(st, fmb_oracle_maximize(f->oracle, &form, &end, &attained));
+    FMB_THEN(st, fmb_oracle_value(f->oracle, a));
+    FMB_THEN(st, fmb_oracle_point(f->oracle, f->x));
     if (st == FMB_OK) {
         fmb_vec_get_q(&r->val, r->nnz, b);
         face->redundant = mpq_cmp(a, b) < 0;
@@ -220,10 +216,8 @@ static fmb_status ask_about_doubtful_facets(face_search *f, excluded_face *face,
                                                  : FMB_LE;
         st = add_row_to_program(f, f->facet[i], rel, &p);
     }
-    if (st == FMB_OK)
-        st = fmb_oracle_new(run, &p, &o);
-    if (st == FMB_OK)
-        st = fmb_oracle_feasible(o, &feasible);
+    FMB_THEN(st, fmb_oracle_new(run, &p, &o));
+    FMB_THEN(st, fmb_oracle_feasible(o, &feasible));
     if (st == FMB_OK && !feasible)
         st = fmb_oracle_conflict(o, &w);
     *more = st == FMB_OK && !feasible;
@@ -333,14 +327,10 @@ static fmb_status put_row_of_face(face_search *f, const excluded_face *face)
     mpz_t content;
     mpz_init(content);
     fmb_status st = fmb_integers_init(&z, f->n + 1, mem);
-    if (st == FMB_OK)
-        st = sum_facets_of_face(f, face, z.z, content);
-    if (st == FMB_OK)
-        st = fmb_integers_settle(&z, mem);
-    if (st == FMB_OK)
-        st = prove_sum(f, face, content, &w);
-    if (st == FMB_OK)
-        st = fmb_claimed_rows_append(f->c, z.z, FMB_LT, &w);
+    FMB_THEN(st, sum_facets_of_face(f, face, z.z, content));
+    FMB_THEN(st, fmb_integers_settle(&z, mem));
+    FMB_THEN(st, prove_sum(f, face, content, &w));
+    FMB_THEN(st, fmb_claimed_rows_append(f->c, z.z, FMB_LT, &w));
     if (st == FMB_OK)
         fmb_claimed_rows_put_last(f->c, face->row);
     mpz_clear(content);

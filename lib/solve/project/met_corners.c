@@ -22,9 +22,8 @@ static fmb_status list_met_vectors(fmb_query *q, fmb_image *m)
     fmb_status st = v && line ? FMB_OK : fmb_mem_status(mem);
     for (size_t i = 0; st == FMB_OK && i < met->size; i++)
         v[i] = met->point[i].y;
-    if (st == FMB_OK)
-        st = fmb_image_init_vectors(m, &q->run, met->width, met->size, v, line,
-                                    fmb_query_is_wide(q));
+    FMB_THEN(st, fmb_image_init_vectors(m, &q->run, met->width, met->size, v, line,
+                                        fmb_query_is_wide(q)));
     fmb_mem_put(mem, v, met->size, sizeof *v);
     fmb_mem_put(mem, line, met->size, sizeof *line);
     return st;
@@ -40,8 +39,7 @@ static fmb_status add_row_to_image(fmb_query *q, const fmb_sysrow *r, fmb_image 
         fmb_lifted_write_form(r, m->n, z);
         st = fmb_vec_set_z(&form, m->n, z, mem);
     }
-    if (st == FMB_OK)
-        st = fmb_image_add_facet(m, &form, r->rel == FMB_EQ, true);
+    FMB_THEN(st, fmb_image_add_facet(m, &form, r->rel == FMB_EQ, true));
     fmb_vec_block_free(z, m->n, mem);
     if (form.s)
         fmb_vec_clear(&form, m->n, mem);
@@ -60,8 +58,7 @@ fmb_status fmb_met_corners(fmb_query *q, const int *place, const fmb_system *ima
     fmb_status st = list_met_vectors(q, m);
     for (size_t i = 0; st == FMB_OK && i < image->rows; i++)
         st = add_row_to_image(q, &image->row[i], m);
-    if (st == FMB_OK)
-        st = fmb_image_keep_corners(m);
+    FMB_THEN(st, fmb_image_keep_corners(m));
     *found = m->rays > 0;
     return st;
 }

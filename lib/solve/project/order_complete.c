@@ -72,8 +72,7 @@ static fmb_status eliminate_all(order_proof *w, fmb_claim *claim, bool *done)
         w->gone[v] = true;
         mpq_set_ui(number, ++steps, 1);
         st = fmb_elimination_go_on(&w->of, v, done);
-        if (st == FMB_OK)
-            st = fmb_evidence_push(w->q->claims, &claim->point, v, number);
+        FMB_THEN(st, fmb_evidence_push(w->q->claims, &claim->point, v, number));
     }
     for (v = 0; v < w->of.dim && steps == 0 && w->gone[v];)
         v++;
@@ -171,8 +170,7 @@ static fmb_status claim_unsaid_row(void *self, const fmb_integers *z, bool stric
         if (mpz_sgn(z->z[j]) != 0)
             st = fmb_weights_add(&form, (uint32_t)j, t, mem);
     }
-    if (st == FMB_OK)
-        st = fmb_oracle_maximize(w->oracle, &form, &end, &attained);
+    FMB_THEN(st, fmb_oracle_maximize(w->oracle, &form, &end, &attained));
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM)
         st = fmb_oracle_multipliers(w->oracle, &sum);
     w->done = st == FMB_OK && end == FMB_ORACLE_OPTIMUM;
@@ -236,8 +234,7 @@ static fmb_status claim_order(order_proof *w)
     const char *why;
     const fmb_unsaid unsaid = {claim_unsaid_row, w};
     fmb_status st = fmb_query_claim_whole(w->q, w->place, &claim);
-    if (st == FMB_OK)
-        st = fmb_query_finish_claim(w->q, eliminate_all(w, claim, &w->done));
+    FMB_THEN(st, fmb_query_finish_claim(w->q, eliminate_all(w, claim, &w->done)));
     if (st != FMB_OK || !w->done)
         return st;
     st = fmb_by_elimination_match(&w->of, e, &e->claim[w->first], &unsaid, &why);
@@ -251,8 +248,7 @@ fmb_status fmb_query_order_complete(fmb_query *q, const int *place, const fmb_sy
     order_proof w = {.q = q, .place = place, .image = image, .first = q->claims->claims};
     const fmb_poll poll = fmb_run_asked(&q->run);
     fmb_status st = open_order_proof(&w, work, &poll);
-    if (st == FMB_OK)
-        st = claim_order(&w);
+    FMB_THEN(st, claim_order(&w));
     close_order_proof(&w);
 
     *done = st == FMB_OK && w.done;

@@ -61,8 +61,7 @@ static fmb_status open_lifted_part(fmb_preimages *l, lifted_part *h, const fmb_p
     *h = (lifted_part){.p = p};
     fmb_status st = number_columns_that_go(l, h);
     fmb_program_init(&h->program, l->q->run.mem, h->n);
-    if (st == FMB_OK)
-        st = fmb_integers_init(&z, (size_t)h->n + 1, l->q->run.mem);
+    FMB_THEN(st, fmb_integers_init(&z, (size_t)h->n + 1, l->q->run.mem));
     for (size_t i = 0; st == FMB_OK && h->n > 0 && i < p->m; i++)
         st = add_lifted_row(l, h, fmb_system_row(l->q->s, p->source[i]), strict, &z);
     fmb_integers_clear(&z, l->q->run.mem);
@@ -86,8 +85,7 @@ fmb_status fmb_preimages_open(fmb_query *q, const int *place, fmb_preimages **ou
         const fmb_part *p = &q->parts.part[l->parts];
         l->part[1][l->parts] = (lifted_part){.p = p};
         st = open_lifted_part(l, &l->part[0][l->parts], p, false);
-        if (st == FMB_OK)
-            st = open_lifted_part(l, &l->part[1][l->parts], p, true);
+        FMB_THEN(st, open_lifted_part(l, &l->part[1][l->parts], p, true));
     }
     return st;
 }

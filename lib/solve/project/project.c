@@ -174,8 +174,7 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
     fmb_system *image = NULL, *empty = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
-    if (st == FMB_OK)
-        st = expect_increasing(v, s, keep, n);
+    FMB_THEN(st, expect_increasing(v, s, keep, n));
     if (st != FMB_OK)
         return st;
     int *place = places_of_kept(s, keep, n, &v->mem);
@@ -196,8 +195,7 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
         st = opened;
     if (opened == FMB_OK)
         fmb_mem_enter(&image->mem, &v->mem);
-    if (st == FMB_OK)
-        st = project_or_outer_rows(&q, place, image, &verdict);
+    FMB_THEN(st, project_or_outer_rows(&q, place, image, &verdict));
     if (st == FMB_OK && verdict == FMB_FEASIBLE)
         st = fmb_query_canonical(&q, place, image);
     if (st == FMB_OK && verdict == FMB_FEASIBLE)

@@ -19,8 +19,7 @@ fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w,
         st = fmb_part_scale(q->s, source, &q->run, t);
         mpq_mul(t, t, w->value[i]);
         mpq_mul(t, t, unit);
-        if (st == FMB_OK)
-            st = fmb_evidence_push(q->evidence, list, source, t);
+        FMB_THEN(st, fmb_evidence_push(q->evidence, list, source, t));
     }
     mpq_clears(t, unit, NULL);
     return st;
@@ -61,8 +60,7 @@ fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb
     fmb_evidence_reset(q->evidence);
     FMB_TRY(fmb_evidence_claim(q->evidence, FMB_CLAIM_INFEASIBLE, &claim));
     fmb_status st = fmb_query_push(q, p, w, SIZE_MAX, 1, &claim->multipliers);
-    if (st == FMB_OK)
-        st = reduce_to_lowest_terms(q->evidence, &claim->multipliers);
+    FMB_THEN(st, reduce_to_lowest_terms(q->evidence, &claim->multipliers));
     fmb_sparse_sort(&claim->multipliers);
     return fmb_query_finish_claim(q, st);
 }
@@ -84,10 +82,8 @@ fmb_status fmb_query_claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim
     mpq_init(one);
     mpq_set_si(one, fmb_vec_sgn(&r->v, (size_t)e->n) > 0 ? -1 : 1, 1);
     fmb_status st = fmb_query_derive(q, e, e->clash, one, &w);
-    if (st == FMB_OK)
-        st = fmb_query_minimize_conflict(q, p, &w);
-    if (st == FMB_OK)
-        st = fmb_query_claim_infeasible(q, p, &w);
+    FMB_THEN(st, fmb_query_minimize_conflict(q, p, &w));
+    FMB_THEN(st, fmb_query_claim_infeasible(q, p, &w));
     fmb_weights_clear(&w, q->run.mem);
     mpq_clear(one);
     return st;
@@ -164,8 +160,7 @@ fmb_status fmb_query_claim_implied(fmb_query *q, const fmb_part *p, const fmb_ve
     fmb_claim *claim;
     FMB_TRY(fmb_evidence_claim(q->evidence, FMB_CLAIM_IMPLIED, &claim));
     fmb_status st = fill_implied_claim(q, p, row, factor, rel, claim);
-    if (st == FMB_OK)
-        st = fmb_query_push(q, p, proof, SIZE_MAX, 1, &claim->multipliers);
+    FMB_THEN(st, fmb_query_push(q, p, proof, SIZE_MAX, 1, &claim->multipliers));
     if (st == FMB_OK && rel == FMB_EQ)
         st = fmb_query_push(q, p, reverse ? reverse : proof, SIZE_MAX, reverse ? 1 : -1,
                             &claim->reverse);
@@ -182,8 +177,7 @@ static fmb_status claim_derived_row(fmb_query *q, const fmb_part *p, const fmb_e
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
     fmb_status st = fmb_query_derive(q, e, r, one, &w);
-    if (st == FMB_OK)
-        st = fmb_query_claim_implied(q, p, &e->row[r].v, one, rel, &w, reverse);
+    FMB_THEN(st, fmb_query_claim_implied(q, p, &e->row[r].v, one, rel, &w, reverse));
     fmb_weights_clear(&w, q->run.mem);
     mpq_clear(one);
     return st;

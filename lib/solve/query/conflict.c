@@ -25,8 +25,7 @@ static fmb_status take_conflict(fmb_query *q, const fmb_part *p, fmb_oracle *o, 
     fmb_status st = fmb_oracle_conflict(o, &less);
     for (size_t k = 0; st == FMB_OK && k < less.size; k++)
         less.index[k] = w->index[less.index[k]];
-    if (st == FMB_OK)
-        st = fmb_query_take_integer_weights(q, p, &less);
+    FMB_THEN(st, fmb_query_take_integer_weights(q, p, &less));
     if (st == FMB_OK) {
         fmb_weights all = *w;
         *w = less;
@@ -45,10 +44,8 @@ fmb_status fmb_query_minimize_conflict(fmb_query *q, const fmb_part *p, fmb_weig
         return FMB_OK;
     fmb_program_init(&rows, q->run.mem, p->n);
     fmb_status st = load_rows_of_conflict(q, p, w, &rows);
-    if (st == FMB_OK)
-        st = fmb_oracle_new(&q->run, &rows, &o);
-    if (st == FMB_OK)
-        st = fmb_oracle_feasible(o, &feasible);
+    FMB_THEN(st, fmb_oracle_new(&q->run, &rows, &o));
+    FMB_THEN(st, fmb_oracle_feasible(o, &feasible));
     if (st == FMB_OK && !feasible)
         st = take_conflict(q, p, o, w);
     fmb_oracle_free(o);

@@ -26,9 +26,7 @@ static fmb_status lift_system_rows(fmb_lifted *h)
 {
     fmb_arena *arena = &h->q->v->arena;
     h->d = (size_t)fmb_system_dim(h->s) + 1;
-    h->keep = fmb_arena_get(arena, h->d, sizeof *h->keep);
-    if (!h->keep)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, h->keep, h->d));
     for (size_t k = 0; k < h->d; k++)
         h->keep[k] = k;
     return fmb_cone_rows_write(&h->rows, arena, &h->q->run, h->d, fmb_system_rows(h->s) + 1,

@@ -33,15 +33,11 @@ fmb_status fmb_met_points_add(fmb_met_points *m, const fmb_vec *y, fmb_integers 
         *x = (fmb_integers){0};
     }
     fmb_status st = p.y.s ? FMB_OK : fmb_mem_status(m->mem);
-    if (st == FMB_OK)
-        st = fmb_vec_copy(&p.y, y, m->width, m->mem);
+    FMB_THEN(st, fmb_vec_copy(&p.y, y, m->width, m->mem));
     if (st == FMB_OK && !p.y.z)
         fmb_vec_measure(&p.y, m->width);
-    if (st == FMB_OK)
-        st = fmb_vec_reduce(&p.y, m->width, num);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(m->mem, (void **)&m->point, &m->capacity, m->size + 1,
-                             sizeof *m->point);
+    FMB_THEN(st, fmb_vec_reduce(&p.y, m->width, num));
+    FMB_THEN(st, FMB_RESERVE(m->mem, &m->point, &m->capacity, m->size + 1));
     if (st != FMB_OK) {
         clear_met_point(&p, m->width, m->mem);
         return st;

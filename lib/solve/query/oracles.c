@@ -34,8 +34,7 @@ fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_oracle **out)
     if (!q->oracle[part]) {
         fmb_program *program = &q->program[part];
         fmb_status st = load_program(q, &q->parts.part[part], program);
-        if (st == FMB_OK)
-            st = fmb_oracle_new(&q->run, program, &q->oracle[part]);
+        FMB_THEN(st, fmb_oracle_new(&q->run, program, &q->oracle[part]));
         if (st != FMB_OK && !q->oracle[part])
             fmb_program_clear(program);
         if (st != FMB_OK)

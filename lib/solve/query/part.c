@@ -139,9 +139,9 @@ static fmb_status set_wide_row(fmb_vec *v, const fmb_sysrow *r, const int *place
 static fmb_status load_row_of_part(fmb_vec *v, const fmb_sysrow *r, const int *place, size_t n,
                                    fmb_num *k)
 {
-    if (fmb_vec_is_wide(&r->val))
+    if (fmb_vec_is_wide(&r->val)) {
         FMB_TRY(set_wide_row(v, r, place, n, k->mem));
-    else {
+    } else {
         for (size_t t = 0; t < r->nnz; t++)
             v->s[place[r->var[t]]] = r->val.s[t];
         v->s[n - 1] = r->val.s[r->nnz];

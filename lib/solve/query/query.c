@@ -211,8 +211,7 @@ fmb_status fmb_options_read(fmb_solver *v, const fmb_options *o)
     fmb_status st = fmb_options_expect(v, &v->options);
     if (st == FMB_OK && !fmb_kernels_choose(v->options.simd))
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "simd: the processor lacks these instructions");
-    if (st == FMB_OK)
-        st = fmb_rules_read(v, &v->options);
+    FMB_THEN(st, fmb_rules_read(v, &v->options));
     v->usual_rules = v->options.rules || v->options.presolve ? -1 : v->rules;
     v->options.rules = v->options.presolve = NULL; /* they were borrowed */
     return st;

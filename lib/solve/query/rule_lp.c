@@ -149,8 +149,7 @@ static fmb_status look_at_rows(const fmb_view *w, bool *drop)
     double share = 1;
     bool done = false;
     fmb_status st = l ? FMB_OK : open_look(w, drop, &l);
-    if (st == FMB_OK)
-        st = go_on_looking(e, l, &share, &done);
+    FMB_THEN(st, go_on_looking(e, l, &share, &done));
     e->at.pruning = st == FMB_OK && !done;
     e->at.look = e->at.pruning ? l : NULL;
     e->at.close_look = close_look;

@@ -12,15 +12,13 @@ static fmb_session_row new_session_row(fmb_session *c)
 
 fmb_status fmb_session_new(fmb_mem *mem, const fmb_system *s, fmb_row *handles, fmb_session **out)
 {
-    fmb_session *c = fmb_mem_zero(mem, 1, sizeof *c);
-    if (!c)
-        return fmb_mem_status(mem);
+    fmb_session *c;
+    FMB_TRY(FMB_GET_ZERO(mem, c, 1));
     size_t rows = fmb_system_rows(s);
     c->mem = mem;
     c->handles = handles;
     fmb_status st = fmb_system_copy_to(s, &mem->alloc, &c->s);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&c->row, &c->row_room, rows, sizeof *c->row);
+    FMB_THEN(st, FMB_RESERVE(mem, &c->row, &c->row_room, rows));
     if (st != FMB_OK) {
         fmb_session_free(c);
         return st;
@@ -54,11 +52,9 @@ const fmb_system *fmb_session_system(const fmb_session *c)
 
 fmb_status fmb_session_reserve(fmb_session *c)
 {
-    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->row, &c->row_room, fmb_system_rows(c->s) + 1,
-                            sizeof *c->row));
+    FMB_TRY(FMB_RESERVE(c->mem, &c->row, &c->row_room, fmb_system_rows(c->s) + 1));
     if (c->levels > 0)
-        FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->journal, &c->change_room, c->changes + 1,
-                                sizeof *c->journal));
+        FMB_TRY(FMB_RESERVE(c->mem, &c->journal, &c->change_room, c->changes + 1));
     return FMB_OK;
 }
 
@@ -131,8 +127,7 @@ size_t fmb_session_find(const fmb_session *c, fmb_row handle)
 
 fmb_status fmb_session_push(fmb_session *c)
 {
-    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->level, &c->level_room, c->levels + 1,
-                            sizeof *c->level));
+    FMB_TRY(FMB_RESERVE(c->mem, &c->level, &c->level_room, c->levels + 1));
     c->level[c->levels++] = c->changes;
     return FMB_OK;
 }

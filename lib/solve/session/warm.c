@@ -42,8 +42,7 @@ static fmb_status open_session_oracle(fmb_session *c)
 /* c->source of the slots in use; -1 (SIZE_MAX) of the others. Slots of new rows are yet to come. */
 static fmb_status find_sources(fmb_session *c)
 {
-    FMB_TRY(fmb_mem_reserve(c->mem, (void **)&c->source, &c->source_room, c->program.m,
-                            sizeof *c->source));
+    FMB_TRY(FMB_RESERVE(c->mem, &c->source, &c->source_room, c->program.m));
     for (size_t k = 0; k < c->program.m; k++)
         c->source[k] = SIZE_MAX;
     for (size_t i = 0; i < fmb_system_rows(c->s); i++)

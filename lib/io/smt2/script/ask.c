@@ -85,12 +85,10 @@ static fmb_status ask_reading(fmb_script *s, const script_extra *extra, bool ter
     fmb_status st;
     do {
         st = again ? read_again(s, &before) : FMB_OK;
-        if (st == FMB_OK)
-            st = read_up_to(s, extra, &before);
+        FMB_THEN(st, read_up_to(s, extra, &before));
         st = fmb_smt_end_reading(&s->reading.c, &s->reading.facts, st, &again);
     } while (again);
-    if (st == FMB_OK)
-        st = hand_out_system(s, term, out);
+    FMB_THEN(st, hand_out_system(s, term, out));
     if (st == FMB_ERR_PARSE && where)
         *where = s->reading.at;
     if (st != FMB_OK || s->knew > s->at)

@@ -41,14 +41,10 @@ static fmb_status scan_commands(fmb_script *s, fmb_cursor *c)
         st = fmb_smt_expect(c, FMB_SMT_SYMBOL, "a command", &word);
         k.word = word.text;
         k.text.p = open.at;
-        if (st == FMB_OK)
-            st = find_inner_list(c, &k);
-        if (st == FMB_OK)
-            st = fmb_smt_leave(c, open.at);
+        FMB_THEN(st, find_inner_list(c, &k));
+        FMB_THEN(st, fmb_smt_leave(c, open.at));
         k.text.n = (size_t)(c->at - open.at);
-        if (st == FMB_OK)
-            st = fmb_mem_reserve(&s->mem, (void **)&s->command, &s->capacity, s->commands + 1,
-                                 sizeof *s->command);
+        FMB_THEN(st, FMB_RESERVE(&s->mem, &s->command, &s->capacity, s->commands + 1));
         if (st != FMB_OK)
             return st;
         more = !is_command(&k, "exit");
@@ -82,8 +78,7 @@ static fmb_status fill_script(fmb_script *s, const fmb_cursor *text)
     memcpy(s->text, text->begin, s->size);
     fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, text->where);
     fmb_status st = fmb_io_check(&c);
-    if (st == FMB_OK)
-        st = scan_commands(s, &c);
+    FMB_THEN(st, scan_commands(s, &c));
     s->scanned = c.tokens;
     s->reading = fmb_smt_reading_of(s->text, s->size, &s->how, &s->mem);
     return st;
@@ -91,9 +86,8 @@ static fmb_status fill_script(fmb_script *s, const fmb_cursor *text)
 
 static fmb_status parse_script(fmb_cursor *c, void *out)
 {
-    fmb_script *s = fmb_mem_zero(c->mem, 1, sizeof *s);
-    if (!s)
-        return fmb_mem_status(c->mem);
+    fmb_script *s;
+    FMB_TRY(FMB_GET_ZERO(c->mem, s, 1));
     s->mem = *c->mem;
     s->how = *c->how;
     s->how.format = FMB_FORMAT_SMT2;
@@ -203,8 +197,7 @@ static fmb_status push_levels(fmb_script *s, size_t n)
     if (n > s->size)
         return FMB_ERR_PARSE;
     for (; n > 0; n--) {
-        FMB_TRY(fmb_mem_reserve(&s->mem, (void **)&s->level, &s->level_capacity, s->levels + 1,
-                                sizeof *s->level));
+        FMB_TRY(FMB_RESERVE(&s->mem, &s->level, &s->level_capacity, s->levels + 1));
         s->level[s->levels++] = (fmb_script_level){.at = s->at};
     }
     return FMB_OK;

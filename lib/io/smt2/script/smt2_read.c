@@ -203,8 +203,7 @@ static fmb_status read_with_facts(fmb_cursor *c, fmb_system *s, fmb_smt_facts *f
     fmb_smt r;
     fmb_smt_begin_reading(facts);
     fmb_status st = fmb_smt_init(&r, c, s, facts);
-    if (st == FMB_OK)
-        st = run_all_commands(&r);
+    FMB_THEN(st, run_all_commands(&r));
     fmb_smt_clear(&r);
     st = fmb_smt_end_reading(c, facts, st, again);
     if (!*again)

@@ -238,8 +238,7 @@ static fmb_status test_inactive_row(fmb_active_set *s, size_t i)
         size_t j = guess == FMB_GUESS_OUTSIDE ? find_row_to_activate(s) : i;
         if (st == FMB_OK)
             st = activate_row_in_cone(s, j == SIZE_MAX ? i : j);
-        if (st == FMB_OK)
-            st = fmb_run_poll(s->run);
+        FMB_THEN(st, fmb_run_poll(s->run));
     }
     return st;
 }

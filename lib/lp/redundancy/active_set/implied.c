@@ -65,9 +65,8 @@ static fmb_status open_nonzero_columns(nonzero_columns *t, fmb_mem *mem, size_t 
                                        const fmb_lp_row *row)
 {
     *t = (nonzero_columns){.mem = mem, .m = m};
-    size_t *column = fmb_mem_get(mem, n + 1, sizeof *column);
-    if (!column)
-        return fmb_mem_status(mem);
+    size_t *column;
+    FMB_TRY(FMB_GET(mem, column, n + 1));
     for (size_t j = 0; j < n; j++)
         if (is_column_nonzero_in_rows(j, m, row))
             column[t->n++] = j;
@@ -113,10 +112,8 @@ static fmb_status ask_oracle_if_feasible(sorting *s)
     fmb_program_init(&program, s->run->mem, (int)s->rows.n);
     for (size_t i = 0; st == FMB_OK && i < s->rows.m; i++)
         st = fmb_program_add_dense(&program, s->rows.row[i].v, s->rows.row[i].rel);
-    if (st == FMB_OK)
-        st = fmb_oracle_new(s->run, &program, &oracle);
-    if (st == FMB_OK)
-        st = fmb_oracle_feasible(oracle, &s->out->feasible);
+    FMB_THEN(st, fmb_oracle_new(s->run, &program, &oracle));
+    FMB_THEN(st, fmb_oracle_feasible(oracle, &s->out->feasible));
     fmb_oracle_free(oracle);
     fmb_program_clear(&program);
     return st;
@@ -295,9 +292,8 @@ static fmb_status scale_rows(sorting *s)
 static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *row,
                                fmb_sorting *out, sorting **opened)
 {
-    sorting *s = fmb_mem_zero(run->mem, 1, sizeof *s);
-    if (!s)
-        return fmb_mem_status(run->mem);
+    sorting *s;
+    FMB_TRY(FMB_GET_ZERO(run->mem, s, 1));
     s->run = run;
     s->out = out;
     fmb_status st = open_nonzero_columns(&s->reduced, run->mem, (size_t)n, m, row);

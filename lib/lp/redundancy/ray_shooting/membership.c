@@ -46,8 +46,7 @@ fmb_status fmb_membership_init(fmb_membership *g, fmb_mem *mem, const fmb_kernel
     g->way = fmb_mem_get(mem, n, sizeof *g->way);
     if (st == FMB_OK && (!g->w || !g->way))
         st = fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = fmb_basis_reserve(&g->basis, FIRST_POINTS);
+    FMB_THEN(st, fmb_basis_reserve(&g->basis, FIRST_POINTS));
     if (st == FMB_OK)
         start_from_cube(g, NULL);
     return st;
@@ -101,7 +100,7 @@ fmb_status fmb_membership_add(fmb_membership *g, const double *q, size_t name)
 {
     fmb_basis *b = &g->basis;
     size_t j = b->size;
-    FMB_TRY(fmb_mem_reserve(b->mem, (void **)&g->name, &g->name_room, j + 1, sizeof *g->name));
+    FMB_TRY(FMB_RESERVE(b->mem, &g->name, &g->name_room, j + 1));
     FMB_TRY(fmb_basis_add(b, q, FMB_RANGE_UP));
     g->name[j] = name;
     b->cost[j] = b->gain[j] = -1;

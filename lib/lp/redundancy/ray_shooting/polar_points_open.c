@@ -12,9 +12,7 @@
 
 static fmb_status list_nonzero_columns(fmb_polar_points *p)
 {
-    p->column = fmb_mem_get(p->mem, p->n, sizeof *p->column);
-    if (!p->column)
-        return fmb_mem_status(p->mem);
+    FMB_TRY(FMB_GET(p->mem, p->column, p->n));
     for (size_t j = 0; j < p->n; j++)
         for (size_t i = 0; i < p->m; i++)
             if (fmb_vec_sgn(p->row[i].v, j) != 0) {
@@ -255,13 +253,11 @@ fmb_status fmb_polar_points_open(fmb_polar_points *p, fmb_run *run, size_t n, si
     *p = (fmb_polar_points){.mem = run->mem, .kernels = run->kernels, .n = n, .m = m, .row = row};
     *inside = false;
     fmb_status st = list_nonzero_columns(p);
-    if (st == FMB_OK)
-        st = allocate_points(p);
+    FMB_THEN(st, allocate_points(p));
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         if (row[i].rel == FMB_EQ)
             return FMB_OK;
-    if (st == FMB_OK)
-        st = look_from_centre(p, run, &c, inside);
+    FMB_THEN(st, look_from_centre(p, run, &c, inside));
     fmb_centre_clear(&c);
     return st;
 }

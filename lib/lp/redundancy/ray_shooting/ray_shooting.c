@@ -44,8 +44,7 @@ static fmb_status sort_rows(const fmb_ray_shooting *s, fmb_run *run, fmb_fate *f
 {
     fmb_ray_sorter sorter;
     fmb_status st = fmb_ray_sorter_init(&sorter, run, &s->points, fate, told);
-    if (st == FMB_OK)
-        st = fmb_ray_sorter_sort(&sorter, from, to);
+    FMB_THEN(st, fmb_ray_sorter_sort(&sorter, from, to));
     fmb_ray_sorter_clear(&sorter);
     return st;
 }
@@ -70,7 +69,7 @@ typedef struct result_log {
 /* Note what became of a row, without a proof. Errors: MEMORY, LIMIT. */
 static fmb_status result_log_note(result_log *f, size_t row, fmb_fate fate)
 {
-    FMB_TRY(fmb_mem_reserve(f->mem, (void **)&f->item, &f->room, f->count + 1, sizeof *f->item));
+    FMB_TRY(FMB_RESERVE(f->mem, &f->item, &f->room, f->count + 1));
     f->item[f->count++] = (logged_result){.row = row, .kept = fate == FMB_FATE_KEPT};
     return FMB_OK;
 }
@@ -167,8 +166,7 @@ static fmb_status sort_all_groups(fmb_ray_shooting *s, result_log *found, size_t
     if (begun)
         worst = fmb_team_do(&team, groups, sort_group, &all);
     for (size_t k = 0; begun && k < groups; k++) {
-        if (st == FMB_OK)
-            st = result_log_tell(&found[k], s->fate, s->told);
+        FMB_THEN(st, result_log_tell(&found[k], s->fate, s->told));
         result_log_end(&found[k]);
     }
     fmb_team_close(&team);
@@ -178,9 +176,8 @@ static fmb_status sort_all_groups(fmb_ray_shooting *s, result_log *found, size_t
 static fmb_status sort_together(fmb_ray_shooting *s, size_t groups)
 {
     fmb_mem *mem = s->run->mem;
-    result_log *found = fmb_mem_zero(mem, groups, sizeof *found);
-    if (!found)
-        return fmb_mem_status(mem);
+    result_log *found;
+    FMB_TRY(FMB_GET_ZERO(mem, found, groups));
     fmb_status st = sort_all_groups(s, found, groups);
     fmb_mem_put(mem, found, groups, sizeof *found);
     return st;

@@ -111,9 +111,7 @@ static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
     if (s->is_active[i])
         return FMB_OK;
     if (d > sizeof point / sizeof *point)
-        q = fmb_mem_get(s->run->mem, d, sizeof *q);
-    if (!q)
-        return fmb_mem_status(s->run->mem);
+        FMB_TRY(FMB_GET(s->run->mem, q, d));
     if (s->membership.basis.size >= MOST_ACTIVE(d)) {
         for (size_t j = 0; j < s->membership.basis.size; j++)
             s->is_active[s->membership.name[j]] = false;
@@ -191,11 +189,9 @@ static fmb_status tell_of_combination(fmb_ray_sorter *s, size_t i)
     for (size_t k = 0; st == FMB_OK && k < c->size; k++) {
         mpq_set_z(factor, c->part[k]);
         st = fmb_long_divide(factor, c->all, &poll);
-        if (st == FMB_OK)
-            st = fmb_weights_add(&w, (uint32_t)c->index[k], factor, s->run->mem);
+        FMB_THEN(st, fmb_weights_add(&w, (uint32_t)c->index[k], factor, s->run->mem));
     }
-    if (st == FMB_OK)
-        st = s->told->redundant(s->told->self, i, &w);
+    FMB_THEN(st, s->told->redundant(s->told->self, i, &w));
     fmb_weights_clear(&w, s->run->mem);
     mpq_clear(factor);
     return st;
