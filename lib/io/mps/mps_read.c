@@ -114,8 +114,7 @@ static fmb_status add_coefficient(mps_reader *m, mps_row *r, fmb_span row, fmb_s
 {
     if (r->terms > 0 && r->term[r->terms - 1].variable == m->variable)
         return fail_field(m, row, "one coefficient of a column in each row");
-    FMB_TRY(
-        fmb_mem_reserve(m->c->mem, (void **)&r->term, &r->capacity, r->terms + 1, sizeof *r->term));
+    FMB_TRY(FMB_RESERVE(m->c->mem, &r->term, &r->capacity, r->terms + 1));
     r->term[r->terms++] = (mps_term){m->variable, number};
     return FMB_OK;
 }
