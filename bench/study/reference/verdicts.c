@@ -9,9 +9,10 @@ typedef struct way {
     bool closed, open; /* which contact its verdicts speak about */
 } way;
 
-/* Doubles are certain only where the contact does not matter. */
+/* Doubles are asked about closed frames. Of ours, whole numbers tell that closed frames touch;
+ * those of SAT are certain only where the contact does not matter. */
 static const way WAY[STUDY_PAIR_WAYS] = {
-    [STUDY_FMB_DOUBLES] = {"fmb-doubles", STUDY_BY_FMB, true, true},
+    [STUDY_FMB_DOUBLES] = {"fmb-doubles", STUDY_BY_FMB, true, false},
     [STUDY_SAT_DOUBLES] = {"sat-doubles", STUDY_BY_SAT, true, true},
     [STUDY_FMB_CLOSED] = {"fmb-closed", STUDY_BY_FMB, true, false},
     [STUDY_SAT_CLOSED] = {"sat-closed", STUDY_BY_SAT, true, false},
@@ -46,7 +47,7 @@ fmb_pair_options study_way_options(study_way_of_pairs which, fmb_simd simd)
     fmb_pair_options o = {.size = sizeof o};
     o.method = w->method == STUDY_BY_EXACT ? FMB_PAIR_EXACT : FMB_PAIR_FMB;
     o.contact = w->closed ? FMB_CONTACT_CLOSED : FMB_CONTACT_OPEN;
-    o.doubles_only = w->closed && w->open;
+    o.doubles_only = which == STUDY_FMB_DOUBLES || which == STUDY_SAT_DOUBLES;
     o.simd = simd;
     return o;
 }

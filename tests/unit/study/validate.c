@@ -80,7 +80,7 @@ Test(judge, one_false_answer)
             for (int order = 0; order < 2; order++) {
                 study_verdicts v = all_say(truth[t][0], truth[t][1]);
                 fmb_verdict *said = &v.said[way][order];
-                *said = *said == FMB_FEASIBLE ? FMB_INFEASIBLE : FMB_FEASIBLE;
+                *said = *said == FMB_INFEASIBLE ? FMB_FEASIBLE : FMB_INFEASIBLE;
                 unsigned faults = study_verdict_faults(&v);
                 cr_expect(faults & STUDY_FAULT_ITSELF, "%d %d %d", t, way, order);
                 cr_expect(faults & STUDY_FAULT_EXACT, "%d %d %d", t, way, order);
