@@ -38,11 +38,11 @@ _fmb_validate()
             ;;
         --simd) _fmb_study_offer "auto plain avx2 avx512" ;;
         -j | --json | --failures) compopt -o default ;;
-        -n | --pairs | -s | --seed | --dim | --axes | --sample | -t | --threads | --shard) ;;
+        -n | --pairs | -s | --seed | --dim | --axes | --sample | --textbook | -t | --threads | --shard) ;;
         *)
             if [[ $cur == -* ]]; then
                 _fmb_study_offer "--help --usage --version --pairs --seed --families --dim --axes
-                    --sample --boxes --contact --simd --threads --shard --merge --json --failures --quiet"
+                    --sample --textbook --boxes --contact --simd --threads --shard --merge --json --failures --quiet"
             else
                 _fmb_study_offer "$(echo {1..16}d-{static,dynamic})"
             fi

@@ -39,12 +39,14 @@ static const struct {
     {"meeting", offsetof(study_tally, meeting), OF_ALL},
     {"touching", offsetof(study_tally, touching), OF_ALL},
     {"exact", offsetof(study_tally, exact), OF_ALL},
+    {"by_solver", offsetof(study_tally, solved), OF_ALL},
     {"textbook", offsetof(study_tally, textbook), OF_ALL},
     {"textbook_left", offsetof(study_tally, left), OF_ALL},
     {"fmb_unknown", offsetof(study_tally, unknown[0]), OF_ALL},
     {"sat_unknown", offsetof(study_tally, unknown[1]), OF_ALL},
     {"disagreeing", offsetof(study_tally, disagreeing), OF_ALL},
     {"boxes", offsetof(study_tally, boxes), OF_BOXES},
+    {"boxes_by_solver", offsetof(study_tally, boxes_solved), OF_BOXES},
     {"boxes_unknown", offsetof(study_tally, doubtful), OF_BOXES},
     {"contacts", offsetof(study_tally, contacts), OF_CONTACTS},
     {"contacts_unknown", offsetof(study_tally, contacts_open), OF_CONTACTS},
@@ -113,6 +115,7 @@ json_t *validate_json(const validate_plan *p)
     set_count(obj, "pairs", p->pairs);
     set_count(obj, "seed", p->usual.seed);
     app_json_set(obj, "sample", json_real(p->usual.sample));
+    app_json_set(obj, "textbook", json_real(p->usual.textbook));
     app_json_set(obj, "shard", json_pack("[I, I]", (json_int_t)p->shard, (json_int_t)p->shards));
     app_json_set(obj, "seconds", json_real(p->seconds));
     set_count(obj, "disagreements", validate_disagreements(p));
@@ -154,7 +157,7 @@ static json_t *faults_named(unsigned faults)
     return all;
 }
 
-/* What each way said of A, B and of B, A. */
+/* What each way said of A, B and of B, A; and what is proved, closed and open. */
 static json_t *verdicts(const study_verdicts *v)
 {
     static const char *const TEXT[] = {
@@ -164,6 +167,7 @@ static json_t *verdicts(const study_verdicts *v)
         if (v->asked >> i & 1)
             app_json_set(obj, study_way_text((study_way_of_pairs)i),
                          json_pack("[s, s]", TEXT[v->said[i][0]], TEXT[v->said[i][1]]));
+    app_json_set(obj, "proved", json_pack("[s, s]", TEXT[v->proved[0]], TEXT[v->proved[1]]));
     return obj;
 }
 

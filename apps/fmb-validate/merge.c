@@ -33,7 +33,7 @@ static bool add_jobs(validate_plan *p, const json_t *cases, bool first)
 
 int validate_merge(validate_plan *p)
 {
-    static const char *const SAME[] = {"pairs", "seed", "sample", NULL};
+    static const char *const SAME[] = {"pairs", "seed", "sample", "textbook", NULL};
     json_t **part;
     int code = app_parts_read(p->word, p->words, SAME, &part);
     if (code != APP_YES)
@@ -49,6 +49,7 @@ int validate_merge(validate_plan *p)
     p->pairs = (uint64_t)json_integer_value(json_object_get(part[0], "pairs"));
     p->usual.seed = (uint64_t)json_integer_value(json_object_get(part[0], "seed"));
     p->usual.sample = json_real_value(json_object_get(part[0], "sample"));
+    p->usual.textbook = json_real_value(json_object_get(part[0], "textbook"));
     p->usual.boxes = p->jobs > 0 && p->job[0].v.boxes;
     p->usual.contacts = p->jobs > 0 && p->job[0].v.contacts;
     app_parts_free(part, p->words);

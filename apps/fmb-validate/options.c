@@ -12,6 +12,7 @@ enum {
     KEY_DIM = 0x100,
     KEY_AXES,
     KEY_SAMPLE,
+    KEY_TEXTBOOK,
     KEY_BOXES,
     KEY_CONTACT,
     KEY_SHARD,
@@ -32,9 +33,9 @@ static const struct argp_option options[] = {
     {"axes", KEY_AXES, "A,B", 0, "How many axes the frames have, for faces and edges [all]", 1},
     {NULL, 0, NULL, 0, "Questions:", 2},
     {"sample", KEY_SAMPLE, "SHARE", 0,
-     "Of the article's pairs that are held against the exact way; all of the other families are "
-     "[0.01]",
-     2},
+     "Of the article's pairs whose verdicts are proved; those of all other families are [0.01]", 2},
+    {"textbook", KEY_TEXTBOOK, "SHARE", 0,
+     "Of those, that are asked of the exact way and of the textbook, too [0.01]", 2},
     {"boxes", KEY_BOXES, NULL, 0, "Hold boxes, times and witnesses against the exact ones", 2},
     {"contact", KEY_CONTACT, NULL, 0,
      "In two and three dimensions hold depths, distances, normals, nearest points and rows between "
@@ -170,6 +171,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_SAMPLE:
         p->usual.sample = app_value_number("--sample", arg, 0, 1, state);
         return 0;
+    case KEY_TEXTBOOK:
+        p->usual.textbook = app_value_number("--textbook", arg, 0, 1, state);
+        return 0;
     case KEY_BOXES:
         p->usual.boxes = true;
         return 0;
@@ -227,6 +231,6 @@ const struct argp validate_argp = {options, parse, "[CASE...]\n--merge FILE...",
 void validate_plan_init(validate_plan *p)
 {
     *p = (validate_plan){.pairs = 1000000, .shard = 1, .shards = 1, .threads = 1};
-    p->usual = (study_validation){.seed = 1, .sample = 0.01};
+    p->usual = (study_validation){.seed = 1, .sample = 0.01, .textbook = 0.01};
     p->usual.plan.shape[0] = p->usual.plan.shape[1] = STUDY_PAIR_ANY_SHAPE;
 }

@@ -28,11 +28,11 @@ static void add_words(app_table *t, size_t n, const char *const *word)
 static void add_head(app_table *t, const study_validation *asked)
 {
     static const char *const HEAD[] = {
-        "case",  "family",   "tested", "meeting",     "not meeting", "share %",    "touching",
-        "exact", "textbook", "left",   "FMB unknown", "SAT unknown", "disagreeing"};
+        "case",  "family",    "tested",   "meeting", "not meeting", "share %",     "touching",
+        "exact", "by solver", "textbook", "left",    "FMB unknown", "SAT unknown", "disagreeing"};
     add_words(t, sizeof HEAD / sizeof *HEAD, HEAD);
     if (asked->boxes)
-        add_words(t, 3, (const char *const[]){"boxes", "excess", "by doubles %"});
+        add_words(t, 4, (const char *const[]){"boxes", "by solver", "excess", "by doubles %"});
     if (asked->contacts)
         add_words(t, 2, (const char *const[]){"contacts", "by doubles %"});
 }
@@ -53,12 +53,13 @@ static void add_job(app_table *t, const validate_job *job)
     for (int i = 0; i < 3; i++)
         add(t, "%" PRIu64, counts[i]);
     add(t, "%.2f", percent(n->meeting, n->tested));
-    uint64_t more[] = {n->touching,   n->exact,      n->textbook,   n->left,
-                       n->unknown[0], n->unknown[1], n->disagreeing};
-    for (int i = 0; i < 7; i++)
+    uint64_t more[] = {n->touching, n->exact,      n->solved,     n->textbook,
+                       n->left,     n->unknown[0], n->unknown[1], n->disagreeing};
+    for (int i = 0; i < 8; i++)
         add(t, "%" PRIu64, more[i]);
     if (job->v.boxes) {
         add(t, "%" PRIu64, n->boxes);
+        add(t, "%" PRIu64, n->boxes_solved);
         add(t, "%.1e", n->excess);
         add(t, "%.1f", percent(2 * n->boxes - n->doubtful, 2 * n->boxes));
     }
@@ -71,8 +72,8 @@ static void add_job(app_table *t, const validate_job *job)
 void validate_table(const validate_plan *p)
 {
     const study_validation *v = &p->usual;
-    app_table t = {.columns = 13U + (v->boxes ? 3 : 0) + (v->contacts ? 2 : 0),
-                   .align = "llrrrrrrrrrrrrrrrr"};
+    app_table t = {.columns = 14U + (v->boxes ? 4 : 0) + (v->contacts ? 2 : 0),
+                   .align = "llrrrrrrrrrrrrrrrrrr"};
     add_head(&t, v);
     for (size_t i = 0; i < p->jobs; i++)
         if (p->job[i].tally.tested > 0)

@@ -6,17 +6,25 @@
 
 #include <fmb/solve.h>
 
+#include "study/reference/propose.h"
+
 struct study_proofs {
+    study_proposer *proposer;
+    study_meeting meeting;
     fmb_solver *solver;
     atomic_bool stopped;
 };
 
-fmb_status study_proofs_open(study_proofs **out)
+fmb_status study_proofs_open(int dim, study_proofs **out)
 {
     study_proofs *s = calloc(1, sizeof *s);
     fmb_options o = {.size = sizeof o};
+    if (!s)
+        return FMB_ERR_MEMORY;
     o.evidence = FMB_EVIDENCE_ALL;
-    fmb_status st = s ? fmb_solver_new(&o, NULL, &s->solver) : FMB_ERR_MEMORY;
+    study_meeting_init(&s->meeting);
+    s->proposer = study_proposer_open(dim);
+    fmb_status st = s->proposer ? fmb_solver_new(&o, NULL, &s->solver) : FMB_ERR_MEMORY;
     if (st == FMB_OK)
         *out = s;
     else
@@ -26,8 +34,11 @@ fmb_status study_proofs_open(study_proofs **out)
 
 void study_proofs_close(study_proofs *s)
 {
-    if (s)
-        fmb_solver_free(s->solver);
+    if (!s)
+        return;
+    fmb_solver_free(s->solver);
+    study_proposer_close(s->proposer);
+    study_meeting_clear(&s->meeting);
     free(s);
 }
 
@@ -38,8 +49,8 @@ void study_proofs_cancel(study_proofs *s)
 }
 
 /* UNKNOWN without a proof. */
-static fmb_status prove(study_proofs *s, const fmb_frame *p, const fmb_frame *q,
-                        fmb_contact contact, fmb_verdict *out)
+static fmb_status prove_by_solver(study_proofs *s, const fmb_frame *p, const fmb_frame *q,
+                                  fmb_contact contact, fmb_verdict *out)
 {
     const fmb_frame both[2] = {*p, *q};
     fmb_system *rows = NULL;
@@ -59,17 +70,33 @@ static fmb_status prove(study_proofs *s, const fmb_frame *p, const fmb_frame *q,
     return st;
 }
 
+static fmb_status prove(study_proofs *s, const fmb_frame *p, const fmb_frame *q,
+                        fmb_verdict proved[2], uint64_t *solved)
+{
+    bool asked = false;
+    fmb_status st = FMB_OK;
+    proved[0] = proved[1] = FMB_UNKNOWN;
+    if (study_meeting_load(&s->meeting, p, q))
+        study_prove_verdicts(s->proposer, &s->meeting, p, q, proved);
+    for (int contact = 0; contact < 2 && st == FMB_OK; contact++)
+        if (proved[contact] == FMB_UNKNOWN) {
+            asked = true;
+            st = prove_by_solver(s, p, q, (fmb_contact)contact, &proved[contact]);
+        }
+    *solved += asked;
+    return st;
+}
+
 fmb_status study_proofs_run(study_proofs *s, size_t n, const fmb_frame *p, const fmb_frame *q,
-                            const size_t *index, const study_verdicts *verdicts, unsigned *faults)
+                            const size_t *index, study_verdicts *verdicts, unsigned *faults,
+                            uint64_t *solved)
 {
     fmb_status st = FMB_OK;
-    for (size_t i = 0; i < n; i++)
-        for (int open = 0; st == FMB_OK && open < 2 && !atomic_load(&s->stopped); open++) {
-            fmb_verdict proved = FMB_UNKNOWN;
-            int way = open ? STUDY_EXACT_OPEN : STUDY_EXACT_CLOSED;
-            st = prove(s, &p[i], &q[i], open ? FMB_CONTACT_OPEN : FMB_CONTACT_CLOSED, &proved);
-            if (proved == FMB_UNKNOWN || proved != verdicts[index[i]].said[way][0])
-                faults[index[i]] |= STUDY_FAULT_UNPROVED;
-        }
+    for (size_t i = 0; st == FMB_OK && i < n && !atomic_load(&s->stopped); i++) {
+        fmb_verdict *proved = verdicts[index[i]].proved;
+        st = prove(s, &p[i], &q[i], proved, solved);
+        if (proved[0] == FMB_UNKNOWN || proved[1] == FMB_UNKNOWN)
+            faults[index[i]] |= STUDY_FAULT_UNPROVED;
+    }
     return st;
 }

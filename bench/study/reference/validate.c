@@ -23,8 +23,8 @@ struct study_validator {
     study_pairs pairs;
     study_verdicts verdicts[STUDY_VALIDATE_MOST];
     unsigned faults[STUDY_VALIDATE_MOST];
-    /* Those that are held against the exact way. */
-    size_t chosen, index[STUDY_VALIDATE_MOST];
+    /* Those whose verdicts are proved; the first of them are asked of the textbook, too. */
+    size_t chosen, slow, index[STUDY_VALIDATE_MOST];
     fmb_frame p[STUDY_VALIDATE_MOST], q[STUDY_VALIDATE_MOST];
 };
 
@@ -48,7 +48,7 @@ fmb_status study_validator_open(const study_validation *v, study_validator **out
     for (int i = 0; st == FMB_OK && i < STUDY_PAIR_WAYS; i++)
         st = study_way_open((study_way_of_pairs)i, v->plan.dim, v->simd, &s->way[i]);
     if (st == FMB_OK)
-        st = study_proofs_open(&s->proofs);
+        st = study_proofs_open(v->plan.dim, &s->proofs);
     if (st == FMB_OK && v->boxes)
         st = study_box_bench_open(v->plan.dim, v->simd, &s->boxes);
     if (st == FMB_OK && v->contacts)
@@ -87,26 +87,42 @@ void study_validator_cancel(study_validator *s)
 
 /* ---- one lot of pairs ------------------------------------------------------------------------ */
 
-static bool is_chosen(const study_validation *v, uint64_t k)
+typedef enum share { LEFT, PROVED, SLOW } share;
+
+static share share_of(const study_validation *v, uint64_t k)
 {
     uint64_t state;
     study_splitmix.set(&state, v->seed ^ (k + 1) * 0xd1342543de82ef95u);
-    return v->plan.family != STUDY_PAIR_ARTICLE || study_splitmix.get_double(&state) < v->sample;
+    bool proved = study_splitmix.get_double(&state) < v->sample;
+    bool slow = study_splitmix.get_double(&state) < v->textbook;
+    return v->plan.family == STUDY_PAIR_ARTICLE && !proved ? LEFT : slow ? SLOW : PROVED;
+}
+
+static void choose_share(study_validator *s, uint64_t first, share which)
+{
+    for (size_t i = 0; i < s->pairs.n; i++) {
+        if (share_of(&s->v, first + i) != which)
+            continue;
+        s->verdicts[i].asked = s->ways & ~(which == SLOW ? 0U : (unsigned)EXACT_WAYS);
+        if (which == LEFT)
+            continue;
+        s->p[s->chosen] = s->pairs.p[i];
+        s->q[s->chosen] = s->pairs.q[i];
+        s->index[s->chosen++] = i;
+    }
 }
 
 static void choose(study_validator *s, uint64_t first)
 {
     s->chosen = 0;
     for (size_t i = 0; i < s->pairs.n; i++) {
-        bool chosen = is_chosen(&s->v, first + i);
         s->faults[i] = 0;
-        s->verdicts[i].asked = s->ways & ~(chosen ? 0U : (unsigned)EXACT_WAYS);
-        if (!chosen)
-            continue;
-        s->p[s->chosen] = s->pairs.p[i];
-        s->q[s->chosen] = s->pairs.q[i];
-        s->index[s->chosen++] = i;
+        s->verdicts[i] = (study_verdicts){0};
     }
+    choose_share(s, first, SLOW);
+    s->slow = s->chosen;
+    choose_share(s, first, PROVED);
+    choose_share(s, first, LEFT);
 }
 
 /* The same as fmb_pair_test, by sets of frames. */
@@ -127,14 +143,14 @@ static fmb_status ask_by_sets(fmb_pair *k, int dim, size_t n, const fmb_frame *p
     return st;
 }
 
-/* One way in one order, about all pairs or about those chosen. In more than three dimensions sets
- * have kernels of their own: the second order is asked of them. */
+/* One way in one order, about all pairs or about those for the textbook. In more than three
+ * dimensions sets have kernels of their own: the second order is asked of them. */
 static fmb_status ask(study_validator *s, int way, int order)
 {
     fmb_verdict said[STUDY_VALIDATE_MOST];
     fmb_pair_answers out = {.size = sizeof out, .verdict = said};
     bool few = EXACT_WAYS >> way & 1;
-    size_t n = few ? s->chosen : s->pairs.n;
+    size_t n = few ? s->slow : s->pairs.n;
     const fmb_frame *p = few ? s->p : s->pairs.p, *q = few ? s->q : s->pairs.q;
     fmb_status st = order && s->v.plan.dim > 3
                         ? ask_by_sets(s->way[way], s->v.plan.dim, n, q, p, &out)
@@ -185,7 +201,7 @@ static size_t keep_meeting(study_validator *s)
 {
     size_t n = 0;
     for (size_t i = 0; i < s->chosen; i++)
-        if (s->verdicts[s->index[i]].said[STUDY_EXACT_CLOSED][0] == FMB_FEASIBLE) {
+        if (s->verdicts[s->index[i]].proved[FMB_CONTACT_CLOSED] == FMB_FEASIBLE) {
             s->p[n] = s->p[i];
             s->q[n] = s->q[i];
             s->index[n++] = s->index[i];
@@ -215,12 +231,13 @@ fmb_status study_validator_run(study_validator *s, uint64_t first, size_t n, stu
         for (int order = 0; st == FMB_OK && (s->ways >> way & 1) && order < 2; order++)
             if (!atomic_load(&s->stopped))
                 st = ask(s, way, order);
-    for (size_t i = 0; st == FMB_OK && i < n; i++)
-        s->faults[i] = study_verdict_faults(&s->verdicts[i]);
     if (st == FMB_OK && !atomic_load(&s->stopped))
-        st = study_proofs_run(s->proofs, s->chosen, s->p, s->q, s->index, s->verdicts, s->faults);
+        st = study_proofs_run(s->proofs, s->chosen, s->p, s->q, s->index, s->verdicts, s->faults,
+                              &t.solved);
+    for (size_t i = 0; st == FMB_OK && i < n; i++)
+        s->faults[i] |= study_verdict_faults(&s->verdicts[i]);
     if (st == FMB_OK)
-        st = study_truth_run(s->chosen, s->p, s->q, s->index, s->verdicts, s->faults, &s->stopped,
+        st = study_truth_run(s->slow, s->p, s->q, s->index, s->verdicts, s->faults, &s->stopped,
                              &t.textbook, &t.left);
     if (st == FMB_OK && s->contacts && !atomic_load(&s->stopped))
         st = study_contact_bench_run(s->contacts, s->chosen, s->p, s->q, s->index, s->faults, &t);
@@ -241,9 +258,11 @@ void study_tally_add(study_tally *to, const study_tally *more)
     to->meeting += more->meeting;
     to->touching += more->touching;
     to->exact += more->exact;
+    to->solved += more->solved;
     to->textbook += more->textbook;
     to->left += more->left;
     to->boxes += more->boxes;
+    to->boxes_solved += more->boxes_solved;
     to->doubtful += more->doubtful;
     to->contacts += more->contacts;
     to->contacts_open += more->contacts_open;

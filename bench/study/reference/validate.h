@@ -14,19 +14,23 @@ enum { STUDY_VALIDATE_MOST = 512 }; /* pairs at once */
 typedef struct study_validation {
     study_pair_plan plan;
     uint64_t seed;
-    double sample; /* share of the pairs that are held against the exact way, chosen by number */
-    bool boxes;    /* of those that meet, too */
-    bool contacts; /* depths and distances of all, in two and three dimensions */
+    double sample; /* share of the article's pairs whose verdicts are proved, chosen by number; all
+                      of the other families are */
+    double textbook; /* share of those that are asked of the exact way and of the textbook, too */
+    bool boxes;      /* of those that meet, too */
+    bool contacts;   /* depths and distances of all, in two and three dimensions */
     fmb_simd simd;
 } study_validation;
 
 /* [pairs], but for unknown */
 typedef struct study_tally {
     uint64_t tested, meeting, touching; /* touching: they meet, but not if they are open */
-    uint64_t exact;                     /* held against the exact way */
+    uint64_t exact;                     /* held against proofs */
+    uint64_t solved;                    /* of those: proved by the solver */
     uint64_t textbook, left;            /* of those: held against the textbook truth; too large */
     uint64_t unknown[2];                /* [queries, two a pair] what doubles left open: FMB, SAT */
     uint64_t boxes;                     /* compared with exact ones */
+    uint64_t boxes_solved;              /* [boxes, two a pair] found by the exact way */
     uint64_t doubtful;                  /* [boxes, two a pair] that doubles left open */
     uint64_t contacts;                  /* compared with exact ones */
     uint64_t contacts_open;             /* [contacts, two a pair] that doubles left open */

@@ -8,6 +8,7 @@
 #include <fmb/solve.h>
 
 #include "study/reference/ends.h"
+#include "study/reference/propose.h"
 
 enum { USUAL, TIGHTEST, EXACT, WAYS, MOST = STUDY_PAIR_MOST_DIM };
 
@@ -22,6 +23,9 @@ struct study_box_bench {
     fmb_pair *way[WAYS];
     answers said[WAYS];
     fmb_solver *solver; /* of witnesses */
+    study_proposer *proposer;
+    study_meeting meeting;
+    study_form form;
 };
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -50,7 +54,10 @@ fmb_status study_box_bench_open(int dim, fmb_simd simd, study_box_bench **out)
     b->dim = dim;
     fmb_options o = {.size = sizeof o};
     o.evidence = FMB_EVIDENCE_NONE;
-    fmb_status st = fmb_solver_new(&o, NULL, &b->solver);
+    study_meeting_init(&b->meeting);
+    study_form_init(&b->form);
+    b->proposer = study_proposer_open(dim);
+    fmb_status st = b->proposer ? fmb_solver_new(&o, NULL, &b->solver) : FMB_ERR_MEMORY;
     for (int i = 0; st == FMB_OK && i < WAYS; i++)
         st = open_way(b, i, simd);
     if (st == FMB_OK)
@@ -72,6 +79,9 @@ void study_box_bench_close(study_box_bench *b)
         fmb_pair_free(b->way[i]);
     }
     fmb_solver_free(b->solver);
+    study_proposer_close(b->proposer);
+    study_meeting_clear(&b->meeting);
+    study_form_clear(&b->form);
     free(b);
 }
 
@@ -116,22 +126,77 @@ static fmb_status check_witness(study_box_bench *b, const fmb_frame *p, const fm
     return st;
 }
 
+/* ---- ends ------------------------------------------------------------------------------------ */
+
+static bool is_proved(study_box_bench *b, double end)
+{
+    return study_prove_end(b->proposer, &b->meeting, &b->form, end);
+}
+
+static bool is_coordinate_proved(study_box_bench *b, int i, const double *ends)
+{
+    study_form_of_coordinate(&b->form, &b->meeting, i, 1);
+    bool good = is_proved(b, ends[1]);
+    study_form_of_coordinate(&b->form, &b->meeting, i, -1);
+    return good && is_proved(b, -ends[0]);
+}
+
+static bool is_unknown_proved(study_box_bench *b, int j, const double *ends)
+{
+    study_form_of_unknown(&b->form, &b->meeting, j, 1);
+    bool good = is_proved(b, ends[1]);
+    study_form_of_unknown(&b->form, &b->meeting, j, -1);
+    return good && is_proved(b, -ends[0]);
+}
+
+/* Is every end proved to be the exact one, rounded outward? */
+static bool is_box_proved(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
+                          const fmb_pair_answers *a)
+{
+    const study_meeting *s = &b->meeting;
+    bool good = study_meeting_load(&b->meeting, p, q) && study_start_ends(b->proposer, p, q);
+    for (int i = 0; good && i < b->dim; i++)
+        good = is_coordinate_proved(b, i, a->world + 2 * i);
+    for (int k = 0; good && k < q->naxes; k++)
+        good = is_unknown_proved(b, s->from[1] + k, a->inside + 2 * k);
+    if (good && s->columns == s->from[2])
+        return a->time[0] == 0 && a->time[1] == 1;
+    return good && is_unknown_proved(b, s->from[2], a->time);
+}
+
+/* Ends by the exact way, where they are not proved. */
+static fmb_status ask_exactly(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
+                              unsigned *faults, const fmb_pair_answers *tightest,
+                              study_tally *tally)
+{
+    fmb_pair_answers exact = of_pair(b, EXACT, 0);
+    double none;
+    fmb_status st = fmb_pair_test(b->way[EXACT], 1, p, q, &exact);
+    tally->boxes_solved++;
+    if (st == FMB_OK && *exact.verdict != FMB_FEASIBLE)
+        *faults |= STUDY_FAULT_UNDECIDED;
+    else if (st == FMB_OK)
+        *faults |= study_box_faults(p, q, tightest, &exact, true, &none);
+    return st;
+}
+
 /* Pair i, once everything was asked about it. */
 static fmb_status judge(study_box_bench *b, size_t i, const fmb_frame *p, const fmb_frame *q,
                         unsigned *faults, study_tally *tally)
 {
     fmb_pair_answers usual = of_pair(b, USUAL, i), tightest = of_pair(b, TIGHTEST, i);
-    fmb_pair_answers exact = of_pair(b, EXACT, i);
-    double excess, none;
-    if (*usual.verdict != FMB_FEASIBLE || *tightest.verdict != FMB_FEASIBLE ||
-        *exact.verdict != FMB_FEASIBLE) {
+    double excess;
+    fmb_status st = FMB_OK;
+    if (*usual.verdict != FMB_FEASIBLE || *tightest.verdict != FMB_FEASIBLE) {
         *faults |= STUDY_FAULT_UNDECIDED;
         return FMB_OK;
     }
-    *faults |= study_box_faults(p, q, &usual, &exact, false, &excess);
-    *faults |= study_box_faults(p, q, &tightest, &exact, true, &none);
+    if (!is_box_proved(b, p, q, &tightest))
+        st = ask_exactly(b, p, q, faults, &tightest, tally);
+    *faults |= study_box_faults(p, q, &usual, &tightest, false, &excess);
     tally->excess = fmax(tally->excess, excess);
-    fmb_status st = check_witness(b, p, q, usual.witness, faults);
+    if (st == FMB_OK)
+        st = check_witness(b, p, q, usual.witness, faults);
     return st == FMB_OK ? check_witness(b, p, q, tightest.witness, faults) : st;
 }
 
@@ -144,7 +209,7 @@ fmb_status study_box_bench_run(study_box_bench *b, size_t n, const fmb_frame *p,
         faults[i] = 0;
     for (int order = 0; order < 2; order++) {
         const fmb_frame *x = order ? q : p, *y = order ? p : q;
-        for (int way = 0; st == FMB_OK && way < WAYS && !atomic_load(&b->stopped); way++) {
+        for (int way = 0; st == FMB_OK && way < EXACT && !atomic_load(&b->stopped); way++) {
             fmb_pair_answers out = of_pair(b, way, 0);
             st = fmb_pair_test(b->way[way], n, x, y, &out);
         }

@@ -61,6 +61,11 @@ fmb_status study_way_open(study_way_of_pairs which, int dim, fmb_simd simd, fmb_
 
 enum { MEETS = 1, APART = 2, BOTH = 3 };
 
+static unsigned claim(fmb_verdict said)
+{
+    return said == FMB_FEASIBLE ? MEETS : said == FMB_INFEASIBLE ? APART : 0;
+}
+
 /* What ways of one method claim for one contact. */
 static unsigned claims(const study_verdicts *v, study_pair_method method, bool open)
 {
@@ -69,9 +74,7 @@ static unsigned claims(const study_verdicts *v, study_pair_method method, bool o
         for (int order = 0; order < 2; order++)
             if ((v->asked >> i & 1) && WAY[i].method == method &&
                 (open ? WAY[i].open : WAY[i].closed))
-                all |= v->said[i][order] == FMB_FEASIBLE     ? MEETS
-                       : v->said[i][order] == FMB_INFEASIBLE ? APART
-                                                             : 0;
+                all |= claim(v->said[i][order]);
     return all;
 }
 
@@ -89,7 +92,7 @@ unsigned study_verdict_faults(const study_verdicts *v)
     unsigned faults = is_undecided(v) ? STUDY_FAULT_UNDECIDED : 0, all[2];
     for (int open = 0; open < 2; open++) {
         unsigned fmb = claims(v, STUDY_BY_FMB, open), sat = claims(v, STUDY_BY_SAT, open);
-        unsigned exact = claims(v, STUDY_BY_EXACT, open);
+        unsigned exact = claims(v, STUDY_BY_EXACT, open) | claim(v->proved[open]);
         if (fmb == BOTH || sat == BOTH || exact == BOTH)
             faults |= STUDY_FAULT_ITSELF;
         if ((fmb | sat) == BOTH && fmb != BOTH && sat != BOTH)

@@ -23,6 +23,7 @@ typedef enum study_way_of_pairs {
 typedef struct study_verdicts {
     fmb_verdict said[STUDY_PAIR_WAYS][2]; /* [way][order] */
     unsigned asked;                       /* ways, as bits */
+    fmb_verdict proved[2];                /* [contact] by a certificate; UNKNOWN if not asked */
 } study_verdicts;
 
 /* "fmb-doubles", ... */
@@ -35,7 +36,7 @@ fmb_status study_way_open(study_way_of_pairs way, int dim, fmb_simd simd, fmb_pa
 /* Faults, as bits. */
 enum {
     STUDY_FAULT_SAT = 1,     /* FMB and SAT differ */
-    STUDY_FAULT_EXACT = 2,   /* one of them and the exact way differ */
+    STUDY_FAULT_EXACT = 2,   /* one of them and the exact way, or a proof, differ */
     STUDY_FAULT_ITSELF = 4,  /* one method contradicts itself: A, B and B, A, or doubles and all */
     STUDY_FAULT_CONTACT = 8, /* open frames meet, closed ones do not */
     STUDY_FAULT_UNDECIDED = 16,  /* the whole ladder did not decide */
@@ -43,7 +44,7 @@ enum {
     STUDY_FAULT_WIDE = 64,       /* a box is too large */
     STUDY_FAULT_TIGHTEST = 128,  /* the tightest ends are not the exact ones */
     STUDY_FAULT_WITNESS = 256,   /* a witness is not in both frames */
-    STUDY_FAULT_UNPROVED = 512,  /* the exact verdict has no proof that is accepted */
+    STUDY_FAULT_UNPROVED = 512,  /* there is no proof that is accepted */
     STUDY_FAULT_TEXTBOOK = 1024, /* the textbook truth says something else */
     STUDY_FAULT_NEAR = 2048,     /* a depth or a distance, or what belongs to it, is wrong */
     STUDY_FAULTS = 12            /* kinds */

@@ -205,6 +205,7 @@ static study_validation validation(study_pair_family family, bool boxes)
                                        .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}},
                               .seed = 3,
                               .sample = 0.25,
+                              .textbook = 1,
                               .boxes = boxes};
 }
 

@@ -39,7 +39,7 @@ def counts(*args):
 def exit_codes(folder):
     for args, code in ((["2d"], 64), (["0d-static"], 64), (["17d-static"], 64), (["--dim", "0"], 64),
                        (["--dim", "17"], 64), (["--pairs", "0"], 64), (["--pairs", "-1"], 64),
-                       (["--families", "easy"], 64), (["--seed", "x"], 64), (["--sample", "2"], 64),
+                       (["--families", "easy"], 64), (["--seed", "x"], 64), (["--sample", "2"], 64), (["--textbook", "-1"], 64),
                        (["--shard", "3/2"], 64), (["--shard", "0/2"], 64), (["--shard", "1"], 64),
                        (["--seed", str(1 << 63)], 64), (["--families", ","], 64), (["--dim", ""], 64),
                        (["--simd", "mmx"], 64), (["--threads", "0"], 64), (["--axes", "3,3", "--dim", "2"], 64),
@@ -103,6 +103,8 @@ def shards_and_threads():
     expect([(c["case"], c["family"]) for c in whole] ==
            [(c, f) for c in ("2d-dynamic", "3d-static") for f in ("article", "lattice", "near")],
            "the order of cases and families")
+    held = lambda share: sum(c["textbook"] + c["textbook_left"] for c in counts(*args, "--textbook", share))
+    expect(held("0") == 0 < held("0.3") < held("1") == sum(c["exact"] for c in whole), "--textbook")
     expect(add_up([counts(*args, "--shard", f"{i}/3") for i in (1, 2, 3)]) == whole, "shards")
     expect(counts(*args, "--threads", "3") == whole, "threads")
     expect(counts(*args, "--simd", "plain") == whole, "plain kernels say the same")
@@ -133,13 +135,13 @@ def merged(folder):
 
 
 def every_family():
-    args = ["--families", "all", "--pairs", "25", "--boxes"]
+    args = ["--families", "all", "--pairs", "25", "--boxes", "--textbook", "1"]
     for case in counts(*args, "2d-static", "3d-dynamic"):
         expect(case["exact"] == 25 or case["family"] == "article", f"{case} is not held to exact")
         expect(case["boxes"] == case["meeting"] or case["family"] == "article", f"{case}: boxes")
         expect(case["excess"] <= 1e-12, f"{case}: excess")
         expect(case["textbook"] == case["exact"] and case["textbook_left"] == 0, f"{case}: textbook")
-    for case in counts("--families", "near,degenerate", "--pairs", "10", "--dim", "1,4"):
+    for case in counts("--families", "near,degenerate", "--pairs", "10", "--dim", "1,4", "--textbook", "1"):
         expect(case["exact"] == 10 == case["textbook"] + case["textbook_left"], str(case))
     counts("--families", "lattice,touching", "--axes", "2,1", "--pairs", "40", "3d-static")
 

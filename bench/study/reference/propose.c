@@ -1,0 +1,402 @@
+/* propose.c: see propose.h. */
+#include "study/reference/propose.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "pair/general/workspace.h"
+
+enum {
+    ROWS = STUDY_PAIR_MOST_DIM + 2,
+    COLUMNS = STUDY_MEETING_MOST_COLUMNS + 2,
+    BITS = 62 /* of unknowns that are set, below the point */
+};
+
+/* Unknowns that are as near to an end may be at it: guesses. */
+#define TINY 0x1p-30
+
+struct study_proposer {
+    fmb_mem mem;
+    fmb_general *g;
+    mpz_t a[ROWS][ROWS + 1];          /* equations */
+    mpz_t x[ROWS], divisor;           /* and their solution x / divisor */
+    mpz_t z[COLUMNS], y[ROWS], scale; /* a point z / scale; prices or a direction */
+};
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static void init_numbers(study_proposer *w)
+{
+    for (int i = 0; i < ROWS; i++) {
+        for (int j = 0; j <= ROWS; j++)
+            mpz_init(w->a[i][j]);
+        mpz_inits(w->x[i], w->y[i], NULL);
+    }
+    for (int j = 0; j < COLUMNS; j++)
+        mpz_init(w->z[j]);
+    mpz_inits(w->divisor, w->scale, NULL);
+}
+
+study_proposer *study_proposer_open(int dim)
+{
+    study_proposer *w = calloc(1, sizeof *w);
+    if (!w)
+        return NULL;
+    fmb_mem_init(&w->mem, NULL, 0);
+    init_numbers(w);
+    w->g = fmb_general_new(dim, FMB_SIMD_AUTO, &w->mem);
+    if (w->g)
+        return w;
+    study_proposer_close(w);
+    return NULL;
+}
+
+void study_proposer_close(study_proposer *w)
+{
+    if (!w)
+        return;
+    for (int i = 0; i < ROWS; i++) {
+        for (int j = 0; j <= ROWS; j++)
+            mpz_clear(w->a[i][j]);
+        mpz_clears(w->x[i], w->y[i], NULL);
+    }
+    for (int j = 0; j < COLUMNS; j++)
+        mpz_clear(w->z[j]);
+    mpz_clears(w->divisor, w->scale, NULL);
+    fmb_general_free(w->g, &w->mem);
+    free(w);
+}
+
+/* ---- equations in whole numbers -------------------------------------------------------------- */
+
+/* A row from k on whose entry of column k is the shortest but 0 comes to place k; false if there is
+ * none. */
+static bool take_pivot(study_proposer *w, int n, int k)
+{
+    int best = -1;
+    for (int i = k; i < n; i++)
+        if (mpz_sgn(w->a[i][k]) != 0 &&
+            (best < 0 || mpz_size(w->a[i][k]) < mpz_size(w->a[best][k])))
+            best = i;
+    for (int j = k; best > k && j <= n; j++)
+        mpz_swap(w->a[k][j], w->a[best][j]);
+    return best >= 0;
+}
+
+/* Row i less its multiple of row k, without fractions. */
+static void eliminate(study_proposer *w, int n, int i, int k)
+{
+    for (int j = k + 1; j <= n; j++) {
+        mpz_mul(w->a[i][j], w->a[i][j], w->a[k][k]);
+        mpz_submul(w->a[i][j], w->a[i][k], w->a[k][j]);
+        if (k > 0)
+            mpz_divexact(w->a[i][j], w->a[i][j], w->a[k - 1][k - 1]);
+    }
+}
+
+/* x / divisor solves the n equations a[i][0] x_0 + ... = a[i][n], divisor > 0; false if they are
+ * dependent. The method is that of Bareiss (Mathematics of Computation 22, 1968): all that is left
+ * are minors. */
+static bool solve(study_proposer *w, int n)
+{
+    for (int k = 0; k < n; k++) {
+        if (!take_pivot(w, n, k))
+            return false;
+        for (int i = k + 1; i < n; i++)
+            eliminate(w, n, i, k);
+    }
+    mpz_set(w->divisor, w->a[n - 1][n - 1]);
+    for (int i = n - 1; i >= 0; i--) {
+        mpz_mul(w->x[i], w->divisor, w->a[i][n]);
+        for (int j = i + 1; j < n; j++)
+            mpz_submul(w->x[i], w->a[i][j], w->x[j]);
+        mpz_divexact(w->x[i], w->x[i], w->a[i][i]);
+    }
+    for (int i = 0; mpz_sgn(w->divisor) < 0 && i < n; i++)
+        mpz_neg(w->x[i], w->x[i]);
+    mpz_abs(w->divisor, w->divisor);
+    return true;
+}
+
+/* Entry (i, j) of the program in doubles: M with slacks, and the row of the sum of each simplex,
+ * which has nothing but 0 and 1. */
+static void set_entry(mpz_t out, const study_proposer *w, const study_meeting *s, int i, int j)
+{
+    const fmb_general_system *g = &w->g->program;
+    if (i >= s->dim)
+        mpz_set_ui(out, g->m[j * g->rows + i] != 0);
+    else if (j < s->columns)
+        mpz_set(out, s->m[i][j]);
+    else
+        mpz_set_ui(out, 0);
+}
+
+/* ---- points ---------------------------------------------------------------------------------- */
+
+/* z / scale: the solution whose unknowns that are no pivots are near `at`. */
+static bool solve_for_point(study_proposer *w, const study_meeting *s, const double *at)
+{
+    const fmb_general_system *g = &w->g->program;
+    mpz_t *entry = &w->scale;
+    for (int j = 0; j < g->columns; j++)
+        if (!g->is_pivot[j])
+            mpz_set_si(w->z[j], lrint(ldexp(at[j], BITS)));
+    for (int i = 0; i < g->rows; i++) {
+        mpz_t *right = &w->a[i][g->rows];
+        mpz_set_ui(*right, 1);
+        mpz_mul_2exp(*right, i < s->dim ? s->h[i] : *right, BITS);
+        for (int j = 0; j < g->columns; j++)
+            if (!g->is_pivot[j] && mpz_sgn(w->z[j]) != 0) {
+                set_entry(*entry, w, s, i, j);
+                mpz_submul(*right, *entry, w->z[j]);
+            }
+        for (int k = 0; k < g->rows; k++)
+            set_entry(w->a[i][k], w, s, i, g->pivot[k]);
+    }
+    if (!solve(w, g->rows))
+        return false;
+    for (int j = 0; j < g->columns; j++)
+        if (!g->is_pivot[j])
+            mpz_mul(w->z[j], w->z[j], w->divisor);
+    for (int k = 0; k < g->rows; k++)
+        mpz_set(w->z[g->pivot[k]], w->x[k]);
+    mpz_mul_2exp(w->scale, w->divisor, BITS);
+    return true;
+}
+
+/* ---- directions ------------------------------------------------------------------------------ */
+
+/* Bits of the largest number of row i of M, or of h where M has none: the rows in doubles are
+ * scaled so that it is about 1. */
+static int bits_of_row(const study_meeting *s, int i)
+{
+    size_t most = 0;
+    for (int j = 0; j < s->columns; j++)
+        if (mpz_sgn(s->m[i][j]) != 0 && mpz_sizeinbase(s->m[i][j], 2) > most)
+            most = mpz_sizeinbase(s->m[i][j], 2);
+    return (int)(most > 0 ? most : mpz_sizeinbase(s->h[i], 2));
+}
+
+/* y := a direction in doubles, of rows scaled so, times a power of 2. */
+static void set_direction(study_proposer *w, const study_meeting *s, const double *direction)
+{
+    int exponent[STUDY_PAIR_MOST_DIM], least = INT_MAX;
+    double part[STUDY_PAIR_MOST_DIM];
+    for (int i = 0; i < s->dim; i++) {
+        exponent[i] = 0;
+        part[i] = isfinite(direction[i]) ? frexp(direction[i], &exponent[i]) : 0;
+        exponent[i] -= bits_of_row(s, i);
+        if (part[i] != 0 && exponent[i] < least)
+            least = exponent[i];
+    }
+    for (int i = 0; i < s->dim; i++) {
+        mpz_set_si(w->y[i], (long)ldexp(part[i], DBL_MANT_DIG));
+        if (part[i] != 0)
+            mpz_mul_2exp(w->y[i], w->y[i], (mp_bitcnt_t)(exponent[i] - least));
+    }
+}
+
+/* y / divisor: prices of the rows that make each pivot worth w->a[its place][rows]. */
+static bool solve_for_prices(study_proposer *w, const study_meeting *s)
+{
+    const fmb_general_system *g = &w->g->program;
+    for (int k = 0; k < g->rows; k++)
+        for (int i = 0; i < g->rows; i++)
+            set_entry(w->a[k][i], w, s, i, g->pivot[k]);
+    if (!solve(w, g->rows))
+        return false;
+    for (int i = 0; i < s->dim; i++)
+        mpz_set(w->y[i], w->x[i]);
+    return true;
+}
+
+static bool prove_point(study_proposer *w, study_meeting *s, fmb_contact contact, const double *at)
+{
+    return solve_for_point(w, s, at) && study_meeting_has_point(s, contact, w->z, w->scale);
+}
+
+/* What y, or its opposite, shows. */
+static bool prove_by_direction(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
+{
+    for (int side = 0; side < 2 && verdict[FMB_CONTACT_OPEN] == FMB_UNKNOWN; side++) {
+        for (int i = 0; side > 0 && i < s->dim; i++)
+            mpz_neg(w->y[i], w->y[i]);
+        for (int contact = 0; contact < 2; contact++)
+            if (study_meeting_has_none(s, (fmb_contact)contact, w->y))
+                verdict[contact] = FMB_INFEASIBLE;
+    }
+    return verdict[FMB_CONTACT_OPEN] == FMB_INFEASIBLE;
+}
+
+/* The same of the edge of the basis along which that pivot alone changes: its end may be out of
+ * reach. */
+static bool prove_by_edge(study_proposer *w, study_meeting *s, int pivot, fmb_verdict verdict[2])
+{
+    const int rows = w->g->program.rows;
+    for (int k = 0; k < rows; k++)
+        mpz_set_ui(w->a[k][rows], k == pivot);
+    return solve_for_prices(w, s) && prove_by_direction(w, s, verdict);
+}
+
+/* The pivot that is worth something in that direction, which is an edge of the basis. */
+static int find_pivot_of_direction(const study_proposer *w, const double *y)
+{
+    const fmb_general_system *g = &w->g->program;
+    double most = -1;
+    int best = 0;
+    for (int k = 0; k < g->rows; k++) {
+        double worth = 0;
+        for (int i = 0; i < g->rows; i++)
+            worth += y[i] * g->m[g->pivot[k] * g->rows + i];
+        if (fabs(worth) > most) {
+            most = fabs(worth);
+            best = k;
+        }
+    }
+    return best;
+}
+
+/* The method says that they are apart. Where that is rounding alone they touch. */
+static void prove_apart(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
+{
+    set_direction(w, s, w->g->direction);
+    if (prove_by_direction(w, s, verdict) && verdict[FMB_CONTACT_CLOSED] == FMB_INFEASIBLE)
+        return;
+    verdict[FMB_CONTACT_OPEN] = FMB_UNKNOWN;
+    prove_by_edge(w, s, find_pivot_of_direction(w, w->g->basis.normal), verdict);
+    if (verdict[FMB_CONTACT_CLOSED] == FMB_UNKNOWN &&
+        prove_point(w, s, FMB_CONTACT_CLOSED, w->g->vertex))
+        verdict[FMB_CONTACT_CLOSED] = FMB_FEASIBLE;
+}
+
+/* The frames lie in parallel flats: a place of the basis that no column takes. */
+static void prove_apart_by_flats(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
+{
+    double edge[FMB_GENERAL_MOST_ROWS];
+    const fmb_basis *b = &w->g->basis;
+    for (size_t r = 0; r < b->d && verdict[FMB_CONTACT_CLOSED] == FMB_UNKNOWN; r++) {
+        if (b->basic[r] != SIZE_MAX)
+            continue;
+        fmb_dense_inverse_edge(&b->inverse, r, edge);
+        set_direction(w, s, edge);
+        prove_by_direction(w, s, verdict);
+    }
+}
+
+/* ---- frames that meet ------------------------------------------------------------------------ */
+
+/* Of a vertex where an unknown is as far from an end as can be, and that is 0: its prices are the
+ * direction in which the frames touch. */
+static bool prove_touching(study_proposer *w, study_meeting *s, int unknown, fmb_verdict verdict[2])
+{
+    const fmb_general_system *g = &w->g->program;
+    int pivot = 0;
+    while (pivot < g->rows && g->pivot[pivot] != unknown)
+        pivot++;
+    return pivot < g->rows && prove_by_edge(w, s, pivot, verdict);
+}
+
+/* The unknown, but time, that is closest to an end. */
+static int find_tightest(const study_proposer *w, const study_meeting *s, const double *z)
+{
+    int tightest = -1;
+    for (int j = 0; j < w->g->program.columns; j++)
+        if ((j < s->from[2] || j >= s->columns) &&
+            (tightest < 0 || fmin(z[j], 1 - z[j]) < fmin(z[tightest], 1 - z[tightest])))
+            tightest = j;
+    return tightest;
+}
+
+/* From a vertex. The mean of vertices, each the farthest from the end that the mean of those before
+ * is closest to, until it is inside; or nothing leads away from that end. */
+static void prove_open(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
+{
+    fmb_general *g = w->g;
+    const int columns = g->program.columns;
+    double z[COLUMNS], sum[COLUMNS], y[ROWS];
+    for (int j = 0; j < columns; j++)
+        z[j] = sum[j] = g->vertex[j];
+    for (int n = 2; n < 2 * columns + 2; n++) {
+        double cost[COLUMNS] = {0};
+        int j = find_tightest(w, s, z);
+        if (j < 0)
+            break;
+        double room = fmin(z[j], 1 - z[j]);
+        if (room > 1.0 / 64)
+            break;
+        cost[j] = z[j] < 0.5 ? 1 : -1;
+        if (!fmb_general_maximize(g, cost, y))
+            return;
+        double gain = fabs(g->vertex[j] - z[j]);
+        if (room + gain < TINY && prove_touching(w, s, j, verdict))
+            return;
+        if (gain <= room / 4)
+            break;
+        for (int k = 0; k < columns; k++) {
+            sum[k] += g->vertex[k];
+            z[k] = sum[k] / n;
+        }
+    }
+    if (prove_point(w, s, FMB_CONTACT_OPEN, z))
+        verdict[FMB_CONTACT_OPEN] = FMB_FEASIBLE;
+}
+
+void study_prove_verdicts(study_proposer *w, study_meeting *s, const fmb_frame *p,
+                          const fmb_frame *q, fmb_verdict verdict[2])
+{
+    fmb_general *g = w->g;
+    verdict[FMB_CONTACT_CLOSED] = verdict[FMB_CONTACT_OPEN] = FMB_UNKNOWN;
+    if (!fmb_general_load(g, p, q))
+        return;
+    fmb_general_step step = fmb_general_find_vertex(g);
+    if (step == FMB_GENERAL_CLASH)
+        prove_apart(w, s, verdict);
+    if (step == FMB_GENERAL_LOST)
+        prove_apart_by_flats(w, s, verdict);
+    if (step != FMB_GENERAL_GO)
+        return;
+    prove_open(w, s, verdict);
+    if (verdict[FMB_CONTACT_OPEN] == FMB_FEASIBLE ||
+        (verdict[FMB_CONTACT_CLOSED] == FMB_UNKNOWN &&
+         prove_point(w, s, FMB_CONTACT_CLOSED, g->vertex)))
+        verdict[FMB_CONTACT_CLOSED] = FMB_FEASIBLE;
+}
+
+/* ---- ends ------------------------------------------------------------------------------------ */
+
+/* Forms in doubles, scaled to about 1. */
+static void set_cost(const study_proposer *w, const study_meeting *s, const study_form *f,
+                     double *cost)
+{
+    long most = LONG_MIN, exponent[COLUMNS];
+    for (int j = 0; j < s->columns; j++) {
+        cost[j] = mpz_get_d_2exp(&exponent[j], f->w[j]);
+        if (cost[j] != 0 && exponent[j] > most)
+            most = exponent[j];
+    }
+    for (int j = 0; j < w->g->program.columns; j++)
+        cost[j] = j < s->columns && cost[j] != 0 ? ldexp(cost[j], (int)(exponent[j] - most)) : 0;
+}
+
+bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q)
+{
+    return fmb_general_load(w->g, p, q) && fmb_general_find_vertex(w->g) == FMB_GENERAL_GO;
+}
+
+bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, double end)
+{
+    const fmb_general_system *g = &w->g->program;
+    double cost[COLUMNS], y[ROWS];
+    set_cost(w, s, f, cost);
+    if (!fmb_general_maximize(w->g, cost, y) || !solve_for_point(w, s, w->g->vertex))
+        return false;
+    for (int k = 0; k < g->rows; k++)
+        if (g->pivot[k] < s->columns)
+            mpz_set(w->a[k][g->rows], f->w[g->pivot[k]]);
+        else
+            mpz_set_ui(w->a[k][g->rows], 0);
+    return solve_for_prices(w, s) &&
+           study_meeting_has_end(s, f, w->z, w->scale, w->y, w->divisor, end);
+}
