@@ -187,7 +187,7 @@ fmb_status fmb_program_add_integers(fmb_program *p, mpz_t *z, fmb_rel rel)
     return finish_held_row(p, to, st);
 }
 
-fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from, size_t i)
+fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from, size_t i, int lift)
 {
     const fmb_program_row *r = &from->row[i];
     if (r->rel != FMB_LT) {
@@ -201,20 +201,22 @@ fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from,
     if (st != FMB_OK)
         return st;
     fmb_program_row *row = &p->row[p->m - 1];
-    if (fmb_vec_is_wide(r->value))
+    if (fmb_vec_is_wide(r->value) || lift > 0)
         st = fmb_vec_widen(to, r->size + 2, p->mem);
     memcpy(row->column, r->column, r->size * sizeof *row->column);
     row->column[r->size] = p->n - 1;
     row->off = r->off;
     for (size_t k = 0; st == FMB_OK && k <= r->size; k++) {
         size_t at = k < r->size ? k : k + 1;
-        if (to->z)
+        if (!to->z)
+            to->s[at] = r->value->s[k];
+        else if (r->value->z)
             mpz_set(to->z[at], r->value->z[k]);
         else
-            to->s[at] = r->value->s[k];
+            fmb_integer_set_i64(to->z[at], r->value->s[k]);
     }
     if (st == FMB_OK && to->z)
-        mpz_set_ui(to->z[r->size], 1);
+        mpz_setbit(to->z[r->size], (mp_bitcnt_t)lift);
     else if (st == FMB_OK)
         to->s[r->size] = 1;
     return finish_held_row(p, to, st);

@@ -45,9 +45,11 @@ fmb_status fmb_program_set_right(fmb_program *p, size_t i, const mpz_t b);
 /* Append a row given densely, v[n + 1]: copied without its zeros. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_add_dense(fmb_program *p, const fmb_vec *v, fmb_rel rel);
 
-/* Append a row of the program `from`, of fewer columns, and with coefficient 1 in the last column
- * here where it is strict: a.x + t <= b. All relations become those of the closure. */
-fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from, size_t i);
+/* Append a row of the program `from`, of fewer columns, and with coefficient 2^lift in the last
+ * column here where it is strict: a.x + 2^lift t <= b. All relations become those of the closure.
+ */
+fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from, size_t i,
+                                        int lift);
 /* Append z[0..n).x REL z[n], copied. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_add_integers(fmb_program *p, mpz_t *z, fmb_rel rel);
 /* The last row goes again. */

@@ -1,6 +1,7 @@
 /* scaled_program.c: see scaled_program.h. */
 #include "lp/model/scaled_program.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -53,18 +54,13 @@ static double right_side_divided(const fmb_program_row *row, int e)
     return fmax(-FAR_AWAY, fmin(FAR_AWAY, term_divided(row, row->size, e)));
 }
 
-/* The terms of row i, its columns scaled as they are, and the row to what fits; the exponent of the
- * row is e at first. */
+/* The terms of row i, and the row to what fits; the exponent of the row is e at first. */
 static int divide_by_largest(const fmb_scaled_program *f, size_t i, int e)
 {
-    const int *column = fmb_scaled_program_columns(f, i);
     double *value = &f->value[f->start[i]], largest = 0;
     size_t size = f->p->row[i].size;
-    for (size_t k = 0; k < size; k++) {
-        if (f->column_exponent[column[k]] != 0)
-            value[k] = ldexp(value[k], -f->column_exponent[column[k]]);
+    for (size_t k = 0; k < size; k++)
         largest = fmax(largest, fabs(value[k]));
-    }
     int more = exponent_of(largest);
     double factor = ldexp(1, -more);
     for (size_t k = 0; k < size; k++)
@@ -72,16 +68,18 @@ static int divide_by_largest(const fmb_scaled_program *f, size_t i, int e)
     return e + more;
 }
 
-static int load_wide_terms(const fmb_program_row *row, double *value)
+/* Columns are scaled first: what is lost below the least double before that would be gone. */
+static int load_wide_terms(const fmb_scaled_program *f, const fmb_program_row *row, double *value)
 {
-    int most = 0, e;
+    int most = INT_MIN, e;
     for (size_t k = 0; k < row->size; k++) {
         split_wide(row->value, k, &e);
+        e -= f->column_exponent[row->column[k]];
         most = e > most ? e : most;
     }
     for (size_t k = 0; k < row->size; k++)
-        value[k] = term_divided(row, k, most);
-    return most;
+        value[k] = term_divided(row, k, most + f->column_exponent[row->column[k]]);
+    return row->size > 0 ? most : 0;
 }
 
 /* Terms and right side of row i. */
@@ -91,9 +89,9 @@ static void load_real_row(fmb_scaled_program *f, size_t i)
     double *value = &f->value[f->start[i]];
     int e = 0;
     if (row->value->z)
-        e = load_wide_terms(row, value);
+        e = load_wide_terms(f, row, value);
     for (size_t k = 0; !row->value->z && k < row->size; k++)
-        value[k] = (double)row->value->s[k];
+        value[k] = ldexp((double)row->value->s[k], -f->column_exponent[row->column[k]]);
     f->exponent[i] = divide_by_largest(f, i, e);
     f->right[i] = right_side_divided(row, f->exponent[i]);
     f->off[i] = row->off;
@@ -110,6 +108,17 @@ static double find_least_coefficient(const fmb_scaled_program *f)
     return least;
 }
 
+/* Of term k of row i, in the unit of the row. */
+static int exponent_of_term(const fmb_scaled_program *f, size_t i, size_t k)
+{
+    const fmb_program_row *row = &f->p->row[i];
+    int own;
+    if (!row->value->z)
+        return exponent_of(f->value[f->start[i] + k]);
+    split_wide(row->value, k, &own);
+    return own - f->exponent[i];
+}
+
 /* Rows, then columns, in turn: the mean of the exponents becomes 0. sum and count are scratch. */
 static void average_exponents(const fmb_scaled_program *f, int *of_row, int *of_column, int *sum,
                               int *count)
@@ -122,10 +131,10 @@ static void average_exponents(const fmb_scaled_program *f, int *of_row, int *of_
         if (size < 2)
             continue;
         for (int k = 0; k < size; k++)
-            total += exponent_of(f->value[f->start[i] + (size_t)k]) - of_column[column[k]];
+            total += exponent_of_term(f, i, (size_t)k) - of_column[column[k]];
         of_row[i] = total / size;
         for (int k = 0; k < size; k++) {
-            sum[column[k]] += exponent_of(f->value[f->start[i] + (size_t)k]) - of_row[i];
+            sum[column[k]] += exponent_of_term(f, i, (size_t)k) - of_row[i];
             count[column[k]]++;
         }
     }
@@ -205,6 +214,14 @@ void fmb_scaled_program_move_in(fmb_scaled_program *f, double by)
         if (!fmb_scaled_program_is_equality(f, i))
             f->right[i] -= by * sum;
     }
+}
+
+bool fmb_scaled_program_has_scaled_columns(const fmb_scaled_program *f)
+{
+    bool scaled = false;
+    for (size_t j = 0; j < f->n; j++)
+        scaled |= f->column_exponent[j] != 0;
+    return scaled;
 }
 
 bool fmb_scaled_program_scale_cost(const fmb_scaled_program *f, const double *cost, double *scaled)

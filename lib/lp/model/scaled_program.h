@@ -50,6 +50,8 @@ static inline const int *fmb_scaled_program_columns(const fmb_scaled_program *f,
 {
     return f->p->row[i].column;
 }
+/* Were columns scaled, as coefficients differ much? */
+bool fmb_scaled_program_has_scaled_columns(const fmb_scaled_program *f);
 static inline bool fmb_scaled_program_is_equality(const fmb_scaled_program *f, size_t i)
 {
     return f->p->row[i].rel == FMB_EQ;

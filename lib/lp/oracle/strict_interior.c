@@ -1,8 +1,9 @@
 /* strict_interior.c: strict rows, by the widest margin.
  *
- * With a column t more, rows a.x < b become a.x + t <= b, and t <= 1. The largest t is positive if
- * and only if some x satisfies all strict rows; if it is not, its multipliers y combine the rows to
- * t <= 0: then sum y_i a_i = 0, the y of strict rows add up to 1, and sum y_i b_i <= 0, a conflict.
+ * With a column t more, rows a.x < b become a.x + w t <= b, w > 0, and t <= 1. The largest t is
+ * positive if and only if some x satisfies all strict rows; if it is not, its multipliers y combine
+ * the rows to t <= 0: then sum y_i a_i = 0, the w y of strict rows add up to 1, and sum y_i b_i <=
+ * 0, a conflict.
  *
  * On the face of an optimum there is one row more, -C.x <= -V, with multiplier mu. Then
  * sum y_i a_i = mu C and sum y_i b_i <= mu V. mu > 0, as the y alone would be a conflict of
@@ -10,16 +11,34 @@
  */
 #include "lp/oracle/oracle_state.h"
 
+#include <limits.h>
+
 #include "num/gcd.h"
+
+/* Any positive coefficients of t will do: where columns are scaled those in proportion to the sizes
+ * of the rows, or the room of one of 2^-1000 would be t's. */
+static fmb_status load_widened_rows(fmb_oracle *o, fmb_program *q)
+{
+    const fmb_program *p = o->p;
+    int *size, least = INT_MAX;
+    FMB_TRY(FMB_GET_ZERO(o->run->mem, size, p->m));
+    if (o->backend)
+        fmb_backend_sizes(o->backend, size);
+    for (size_t i = 0; i < p->m; i++)
+        least = p->row[i].rel == FMB_LT && size[i] < least ? size[i] : least;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
+        st = fmb_program_add_interior_row(q, p, i, size[i] > least ? size[i] - least : 0);
+    fmb_mem_put(o->run->mem, size, p->m, sizeof *size);
+    return st;
+}
 
 /* The rows and t <= 1, with the face's row before that. */
 static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
 {
-    const fmb_program *p = o->p;
     fmb_integers z;
     fmb_status st = fmb_integers_init(&z, o->n + 2, o->run->mem);
-    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
-        st = fmb_program_add_interior_row(q, p, i);
+    FMB_THEN(st, load_widened_rows(o, q));
     if (st == FMB_OK && face) {
         mpq_t value;
         mpq_init(value);

@@ -303,6 +303,14 @@ void fmb_backend_shift(fmb_backend *d, const double *right)
     take_right_sides(&d->state);
 }
 
+void fmb_backend_sizes(const fmb_backend *d, int *exponent)
+{
+    const fmb_scaled_program *f = &d->scaled;
+    bool scaled = fmb_scaled_program_has_scaled_columns(f);
+    for (size_t i = 0; i < f->m; i++)
+        exponent[i] = scaled ? f->exponent[i] : 0;
+}
+
 void fmb_backend_move_in(fmb_backend *d, double by)
 {
     fmb_scaled_program_move_in(&d->scaled, by);

@@ -50,6 +50,9 @@ void fmb_backend_shift(fmb_backend *d, const double *right);
 /* Likewise, right sides of inequalities less by `by` times the sizes of a row's coefficients, as
  * rows and columns are scaled; until the next shift. */
 void fmb_backend_move_in(fmb_backend *d, double by);
+/* exponent[m]: 2 to the power of that is the size of row i, as rows and columns are scaled; 0 of
+ * all rows where columns are not. */
+void fmb_backend_sizes(const fmb_backend *d, int *exponent);
 /* The right side of row i has changed in the program, and no other. */
 void fmb_backend_shift_row(fmb_backend *d, size_t i);
 /* x[n] / den: where the last question ended, rounded to multiples of 2^-fine, as columns are
