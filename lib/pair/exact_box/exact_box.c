@@ -1,6 +1,7 @@
 /* exact_box.c: see exact_box.h. */
 #include "pair/exact_box/exact_box.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "frame/frame_private.h"
@@ -190,13 +191,17 @@ static double coordinate_of_point(exact_boxer *b, const fmb_frame *p, int k, int
     return x;
 }
 
+/* Next to the largest double shares are added up instead. */
 static void write_mean_of_extreme_points(exact_boxer *b, const fmb_frame *p, double *x)
 {
     for (int i = 0; i < p->dim; i++) {
-        x[i] = 0;
-        for (int k = 0; k < b->points; k++)
-            x[i] += coordinate_of_point(b, p, k, i);
-        x[i] /= b->points;
+        double sum = 0, shares = 0;
+        for (int k = 0; k < b->points; k++) {
+            double at = coordinate_of_point(b, p, k, i);
+            sum += at;
+            shares += at / b->points;
+        }
+        x[i] = isfinite(sum) ? sum / b->points : shares;
     }
 }
 

@@ -228,12 +228,23 @@ static bool round_exactly(fmb_exact_box *v, const fmb_exact_box_goal *goal, doub
     return fmb_exact_box_round_outward(&numerator, &denominator, goal->greatest, out);
 }
 
+/* The outermost double next to x 2^-exponent. It is x with another exponent, unless that is below
+ * the least normal double: there doubles are farther apart, and as x is the double next to the
+ * value, and theirs are among the doubles that x was chosen from, the next one beyond x is the next
+ * one beyond the value. */
+static double scale_outward(double x, int exponent, bool up)
+{
+    double out = ldexp(x, -exponent), back = ldexp(out, exponent);
+    bool is_inside = up ? back < x : back > x;
+    return is_inside ? nextafter(out, up ? INFINITY : -INFINITY) : out;
+}
+
 bool fmb_exact_box_value_outward(fmb_exact_box *v, const fmb_exact_box_goal *goal, int exponent,
                                  double *out)
 {
     double x;
     if (!round_closely(v, goal, &x) && !round_exactly(v, goal, &x))
         return false;
-    *out = ldexp(x, -exponent);
-    return x == 0 || (fabs(*out) > 0x1p-960 && fabs(*out) < 0x1p960);
+    *out = scale_outward(x, exponent, goal->greatest);
+    return isfinite(*out);
 }
