@@ -11,6 +11,7 @@
 enum {
     ROWS = STUDY_PAIR_MOST_DIM + 2,
     COLUMNS = STUDY_MEETING_MOST_COLUMNS + 2,
+    POINTS = 2 * COLUMNS,
     BITS = 62 /* of unknowns that are set, below the point */
 };
 
@@ -23,6 +24,9 @@ struct study_proposer {
     mpz_t a[ROWS][ROWS + 1];          /* equations */
     mpz_t x[ROWS], divisor;           /* and their solution x / divisor */
     mpz_t z[COLUMNS], y[ROWS], scale; /* a point z / scale; prices or a direction */
+    /* common points of the pair at hand, z and scale: where an end is */
+    mpz_t known[POINTS][COLUMNS + 1];
+    int points;
 };
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -36,6 +40,9 @@ static void init_numbers(study_proposer *w)
     }
     for (int j = 0; j < COLUMNS; j++)
         mpz_init(w->z[j]);
+    for (int k = 0; k < POINTS; k++)
+        for (int j = 0; j <= COLUMNS; j++)
+            mpz_init(w->known[k][j]);
     mpz_inits(w->divisor, w->scale, NULL);
 }
 
@@ -64,6 +71,9 @@ void study_proposer_close(study_proposer *w)
     }
     for (int j = 0; j < COLUMNS; j++)
         mpz_clear(w->z[j]);
+    for (int k = 0; k < POINTS; k++)
+        for (int j = 0; j <= COLUMNS; j++)
+            mpz_clear(w->known[k][j]);
     mpz_clears(w->divisor, w->scale, NULL);
     fmb_general_free(w->g, &w->mem);
     free(w);
@@ -380,8 +390,24 @@ static void set_cost(const study_proposer *w, const study_meeting *s, const stud
         cost[j] = j < s->columns && cost[j] != 0 ? ldexp(cost[j], (int)(exponent[j] - most)) : 0;
 }
 
-bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q)
+/* The point at hand, if it is a common one and there is room. */
+static void keep_point(study_proposer *w, study_meeting *s)
 {
+    if (w->points == POINTS || !study_meeting_has_point(s, FMB_CONTACT_CLOSED, w->z, w->scale))
+        return;
+    for (int j = 0; j < s->columns; j++)
+        mpz_set(w->known[w->points][j], w->z[j]);
+    mpz_set(w->known[w->points++][COLUMNS], w->scale);
+}
+
+bool study_start_ends(study_proposer *w, study_meeting *s, const fmb_frame *p, const fmb_frame *q)
+{
+    fmb_verdict verdict[2];
+    w->points = 0;
+    study_prove_verdicts(w, s, p, q, verdict);
+    if (verdict[FMB_CONTACT_CLOSED] != FMB_FEASIBLE)
+        return false;
+    keep_point(w, s);
     return fmb_general_load(w->g, p, q) && fmb_general_find_vertex(w->g) == FMB_GENERAL_GO;
 }
 
@@ -389,14 +415,21 @@ bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, d
 {
     const fmb_general_system *g = &w->g->program;
     double cost[COLUMNS], y[ROWS];
+    bool proved = false;
     set_cost(w, s, f, cost);
-    if (!fmb_general_maximize(w->g, cost, y) || !solve_for_point(w, s, w->g->vertex))
+    if (!fmb_general_maximize(w->g, cost, y))
         return false;
+    if (solve_for_point(w, s, w->g->vertex))
+        keep_point(w, s);
     for (int k = 0; k < g->rows; k++)
         if (g->pivot[k] < s->columns)
             mpz_set(w->a[k][g->rows], f->w[g->pivot[k]]);
         else
             mpz_set_ui(w->a[k][g->rows], 0);
-    return solve_for_prices(w, s) &&
-           study_meeting_has_end(s, f, w->z, w->scale, w->y, w->divisor, end);
+    if (!solve_for_prices(w, s))
+        return false;
+    for (int k = w->points; !proved && k-- > 0;)
+        proved =
+            study_meeting_has_end(s, f, w->known[k], w->known[k][COLUMNS], w->y, w->divisor, end);
+    return proved;
 }

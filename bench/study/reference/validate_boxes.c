@@ -128,40 +128,41 @@ static fmb_status check_witness(study_box_bench *b, const fmb_frame *p, const fm
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
-static bool is_proved(study_box_bench *b, double end)
+/* Are the ends of the form, and of its opposite, those? */
+static bool is_interval_proved(study_box_bench *b, bool is_world, int number, const double *ends)
 {
-    return study_prove_end(b->proposer, &b->meeting, &b->form, end);
+    bool good = true;
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        if (is_world)
+            study_form_of_coordinate(&b->form, &b->meeting, number, sign);
+        else
+            study_form_of_unknown(&b->form, &b->meeting, number, sign);
+        good &= study_prove_end(b->proposer, &b->meeting, &b->form, sign > 0 ? ends[1] : -ends[0]);
+    }
+    return good;
 }
 
-static bool is_coordinate_proved(study_box_bench *b, int i, const double *ends)
+static bool are_ends_proved(study_box_bench *b, const fmb_frame *q, const fmb_pair_answers *a)
 {
-    study_form_of_coordinate(&b->form, &b->meeting, i, 1);
-    bool good = is_proved(b, ends[1]);
-    study_form_of_coordinate(&b->form, &b->meeting, i, -1);
-    return good && is_proved(b, -ends[0]);
+    const study_meeting *s = &b->meeting;
+    bool good = true;
+    for (int i = 0; i < b->dim; i++)
+        good &= is_interval_proved(b, true, i, a->world + 2 * i);
+    for (int k = 0; k < q->naxes; k++)
+        good &= is_interval_proved(b, false, s->from[1] + k, a->inside + 2 * k);
+    if (s->columns == s->from[2])
+        return good && a->time[0] == 0 && a->time[1] == 1;
+    return good & is_interval_proved(b, false, s->from[2], a->time);
 }
 
-static bool is_unknown_proved(study_box_bench *b, int j, const double *ends)
-{
-    study_form_of_unknown(&b->form, &b->meeting, j, 1);
-    bool good = is_proved(b, ends[1]);
-    study_form_of_unknown(&b->form, &b->meeting, j, -1);
-    return good && is_proved(b, -ends[0]);
-}
-
-/* Is every end proved to be the exact one, rounded outward? */
+/* Is every end proved to be the exact one, rounded outward? At the second try all points are known
+ * that were found at the first. */
 static bool is_box_proved(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
                           const fmb_pair_answers *a)
 {
-    const study_meeting *s = &b->meeting;
-    bool good = study_meeting_load(&b->meeting, p, q) && study_start_ends(b->proposer, p, q);
-    for (int i = 0; good && i < b->dim; i++)
-        good = is_coordinate_proved(b, i, a->world + 2 * i);
-    for (int k = 0; good && k < q->naxes; k++)
-        good = is_unknown_proved(b, s->from[1] + k, a->inside + 2 * k);
-    if (good && s->columns == s->from[2])
-        return a->time[0] == 0 && a->time[1] == 1;
-    return good && is_unknown_proved(b, s->from[2], a->time);
+    return study_meeting_load(&b->meeting, p, q) &&
+           study_start_ends(b->proposer, &b->meeting, p, q) &&
+           (are_ends_proved(b, q, a) || are_ends_proved(b, q, a));
 }
 
 /* Ends by the exact way, where they are not proved. */
