@@ -21,9 +21,10 @@ enum {
 struct study_proposer {
     fmb_mem mem;
     fmb_general *g;
-    mpz_t a[ROWS][ROWS + 1];          /* equations */
-    mpz_t x[ROWS], divisor;           /* and their solution x / divisor */
-    mpz_t z[COLUMNS], y[ROWS], scale; /* a point z / scale; prices or a direction */
+    mpz_t a[ROWS][ROWS + 1];             /* equations */
+    mpz_t x[ROWS], divisor;              /* and their solution x / divisor */
+    mpz_t z[COLUMNS], y[ROWS], scale;    /* a point z / scale; prices or a direction */
+    mpz_t entry[COLUMNS], gain[COLUMNS]; /* of a step: a row of the basis, what columns bring */
     /* common points of the pair at hand, z and scale: where an end is */
     mpz_t known[POINTS][COLUMNS + 1];
     int points;
@@ -39,7 +40,7 @@ static void init_numbers(study_proposer *w)
         mpz_inits(w->x[i], w->y[i], NULL);
     }
     for (int j = 0; j < COLUMNS; j++)
-        mpz_init(w->z[j]);
+        mpz_inits(w->z[j], w->entry[j], w->gain[j], NULL);
     for (int k = 0; k < POINTS; k++)
         for (int j = 0; j <= COLUMNS; j++)
             mpz_init(w->known[k][j]);
@@ -70,7 +71,7 @@ void study_proposer_close(study_proposer *w)
         mpz_clears(w->x[i], w->y[i], NULL);
     }
     for (int j = 0; j < COLUMNS; j++)
-        mpz_clear(w->z[j]);
+        mpz_clears(w->z[j], w->entry[j], w->gain[j], NULL);
     for (int k = 0; k < POINTS; k++)
         for (int j = 0; j <= COLUMNS; j++)
             mpz_clear(w->known[k][j]);
@@ -268,6 +269,114 @@ static int find_pivot_of_direction(const study_proposer *w, const double *y)
     return best;
 }
 
+/* ---- steps in whole numbers ------------------------------------------------------------------ */
+
+/* out_j := x times column j of the program, x being what was solved for last. */
+static void multiply_by_columns(study_proposer *w, const study_meeting *s, mpz_t *out)
+{
+    const fmb_general_system *g = &w->g->program;
+    for (int j = 0; j < g->columns; j++) {
+        mpz_set_ui(out[j], 0);
+        for (int i = 0; i < g->rows; i++) {
+            set_entry(w->scale, w, s, i, j);
+            mpz_addmul(out[j], w->scale, w->x[i]);
+        }
+    }
+}
+
+/* Prices of the rows by the basis at hand, y / divisor, and gain := divisor times the form less y
+ * M. */
+static bool solve_for_gains(study_proposer *w, const study_meeting *s, const study_form *f)
+{
+    const fmb_general_system *g = &w->g->program;
+    for (int k = 0; k < g->rows; k++)
+        if (g->pivot[k] < s->columns)
+            mpz_set(w->a[k][g->rows], f->w[g->pivot[k]]);
+        else
+            mpz_set_ui(w->a[k][g->rows], 0);
+    if (!solve_for_prices(w, s))
+        return false;
+    multiply_by_columns(w, s, w->gain);
+    for (int j = 0; j < g->columns; j++) {
+        mpz_neg(w->gain[j], w->gain[j]);
+        if (j < s->columns)
+            mpz_addmul(w->gain[j], f->w[j], w->divisor);
+    }
+    return true;
+}
+
+/* Place of a pivot that is outside of its range at the point at hand, or -1; *high: it is above. */
+static int find_place_outside(const study_proposer *w, bool *high)
+{
+    const fmb_general_system *g = &w->g->program;
+    for (int k = 0; k < g->rows; k++) {
+        int j = g->pivot[k];
+        *high = g->kind[j] == FMB_GENERAL_UNIT && mpz_cmp(w->z[j], w->scale) > 0;
+        if (*high || mpz_sgn(w->z[j]) < 0)
+            return k;
+    }
+    return -1;
+}
+
+/* The column that comes in for one that goes out toward its high or its low end: of those that move
+ * it there, the one whose gain over entry is the least. -1: none does. */
+static int find_coming_column(study_proposer *w, bool high)
+{
+    const fmb_general_system *g = &w->g->program;
+    int best = -1;
+    for (int j = 0; j < g->columns; j++) {
+        int sign = mpz_sgn(w->entry[j]) * (w->g->vertex[j] == 0 ? 1 : -1) * (high ? 1 : -1);
+        if (g->is_pivot[j] || sign <= 0)
+            continue;
+        if (best >= 0) {
+            mpz_mul(w->scale, w->gain[j], w->entry[best]);
+            mpz_mul(w->divisor, w->gain[best], w->entry[j]);
+        }
+        if (best < 0 || mpz_cmpabs(w->scale, w->divisor) < 0)
+            best = j;
+    }
+    return best;
+}
+
+/* One step of the dual simplex method, from the point and the gains at hand. */
+static bool step_into_range(study_proposer *w, const study_meeting *s, int place, bool high)
+{
+    fmb_general_system *g = &w->g->program;
+    for (int k = 0; k < g->rows; k++)
+        mpz_set_ui(w->a[k][g->rows], k == place);
+    if (!solve_for_prices(w, s))
+        return false;
+    multiply_by_columns(w, s, w->entry);
+    int in = find_coming_column(w, high), out = g->pivot[place];
+    if (in < 0)
+        return false;
+    g->is_pivot[out] = false;
+    g->is_pivot[in] = true;
+    g->pivot[place] = in;
+    w->g->vertex[out] = high;
+    return true;
+}
+
+/* Steps from the basis that doubles name, until its point is common or a direction shows that there
+ * is none. */
+static void prove_by_steps(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
+{
+    for (int step = 0; step < COLUMNS && solve_for_point(w, s, w->g->vertex); step++) {
+        bool high;
+        int place = find_place_outside(w, &high);
+        if (place < 0 && study_meeting_has_point(s, FMB_CONTACT_CLOSED, w->z, w->scale))
+            verdict[FMB_CONTACT_CLOSED] = FMB_FEASIBLE;
+        if (place < 0)
+            return;
+        for (int j = 0; j < COLUMNS; j++)
+            mpz_set_ui(w->gain[j], 0);
+        if (!step_into_range(w, s, place, high)) {
+            prove_by_direction(w, s, verdict);
+            return;
+        }
+    }
+}
+
 /* The method says that they are apart. Where that is rounding alone they touch. */
 static void prove_apart(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
 {
@@ -276,9 +385,8 @@ static void prove_apart(study_proposer *w, study_meeting *s, fmb_verdict verdict
         return;
     verdict[FMB_CONTACT_OPEN] = FMB_UNKNOWN;
     prove_by_edge(w, s, find_pivot_of_direction(w, w->g->basis.normal), verdict);
-    if (verdict[FMB_CONTACT_CLOSED] == FMB_UNKNOWN &&
-        prove_point(w, s, FMB_CONTACT_CLOSED, w->g->vertex))
-        verdict[FMB_CONTACT_CLOSED] = FMB_FEASIBLE;
+    if (verdict[FMB_CONTACT_CLOSED] == FMB_UNKNOWN)
+        prove_by_steps(w, s, verdict);
 }
 
 /* The frames lie in parallel flats: a place of the basis that no column takes. */
@@ -368,10 +476,10 @@ void study_prove_verdicts(study_proposer *w, study_meeting *s, const fmb_frame *
     if (step != FMB_GENERAL_GO)
         return;
     prove_open(w, s, verdict);
-    if (verdict[FMB_CONTACT_OPEN] == FMB_FEASIBLE ||
-        (verdict[FMB_CONTACT_CLOSED] == FMB_UNKNOWN &&
-         prove_point(w, s, FMB_CONTACT_CLOSED, g->vertex)))
+    if (verdict[FMB_CONTACT_OPEN] == FMB_FEASIBLE)
         verdict[FMB_CONTACT_CLOSED] = FMB_FEASIBLE;
+    if (verdict[FMB_CONTACT_CLOSED] == FMB_UNKNOWN)
+        prove_by_steps(w, s, verdict);
 }
 
 /* ---- ends ------------------------------------------------------------------------------------ */
@@ -400,33 +508,39 @@ static void keep_point(study_proposer *w, study_meeting *s)
     mpz_set(w->known[w->points++][COLUMNS], w->scale);
 }
 
-bool study_start_ends(study_proposer *w, study_meeting *s, const fmb_frame *p, const fmb_frame *q)
+bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q)
 {
-    fmb_verdict verdict[2];
     w->points = 0;
-    study_prove_verdicts(w, s, p, q, verdict);
-    if (verdict[FMB_CONTACT_CLOSED] != FMB_FEASIBLE)
-        return false;
-    keep_point(w, s);
     return fmb_general_load(w->g, p, q) && fmb_general_find_vertex(w->g) == FMB_GENERAL_GO;
+}
+
+/* Steps from the basis that doubles name, until its point is common; prices are those of the basis
+ * then. */
+static bool walk_to_end(study_proposer *w, study_meeting *s, const study_form *f)
+{
+    for (int step = 0; step < COLUMNS; step++) {
+        bool high;
+        if (!solve_for_point(w, s, w->g->vertex))
+            return false;
+        int place = find_place_outside(w, &high);
+        if (place < 0)
+            keep_point(w, s);
+        if (!solve_for_gains(w, s, f))
+            return false;
+        if (place < 0)
+            return true;
+        if (!step_into_range(w, s, place, high))
+            return false;
+    }
+    return false;
 }
 
 bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, double end)
 {
-    const fmb_general_system *g = &w->g->program;
     double cost[COLUMNS], y[ROWS];
     bool proved = false;
     set_cost(w, s, f, cost);
-    if (!fmb_general_maximize(w->g, cost, y))
-        return false;
-    if (solve_for_point(w, s, w->g->vertex))
-        keep_point(w, s);
-    for (int k = 0; k < g->rows; k++)
-        if (g->pivot[k] < s->columns)
-            mpz_set(w->a[k][g->rows], f->w[g->pivot[k]]);
-        else
-            mpz_set_ui(w->a[k][g->rows], 0);
-    if (!solve_for_prices(w, s))
+    if (!fmb_general_maximize(w->g, cost, y) || !walk_to_end(w, s, f))
         return false;
     for (int k = w->points; !proved && k-- > 0;)
         proved =

@@ -19,10 +19,8 @@ void study_proposer_close(study_proposer *w);
 void study_prove_verdicts(study_proposer *w, study_meeting *s, const fmb_frame *p,
                           const fmb_frame *q, fmb_verdict verdict[2]);
 
-/* Begin with the ends of a pair that meets, from which s was loaded; false if nothing will be
- * shown.
- */
-bool study_start_ends(study_proposer *w, study_meeting *s, const fmb_frame *p, const fmb_frame *q);
+/* Begin with the ends of a pair that meets; false if nothing will be shown. */
+bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q);
 /* Is `end` proved to be the end of the form (certificate.h)? With all points that were found by
  * then: another try may find what is needed. */
 bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, double end);

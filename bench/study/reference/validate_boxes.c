@@ -160,8 +160,7 @@ static bool are_ends_proved(study_box_bench *b, const fmb_frame *q, const fmb_pa
 static bool is_box_proved(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
                           const fmb_pair_answers *a)
 {
-    return study_meeting_load(&b->meeting, p, q) &&
-           study_start_ends(b->proposer, &b->meeting, p, q) &&
+    return study_meeting_load(&b->meeting, p, q) && study_start_ends(b->proposer, p, q) &&
            (are_ends_proved(b, q, a) || are_ends_proved(b, q, a));
 }
 
