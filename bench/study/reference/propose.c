@@ -284,9 +284,8 @@ static void multiply_by_columns(study_proposer *w, const study_meeting *s, mpz_t
     }
 }
 
-/* Prices of the rows by the basis at hand, y / divisor, and gain := divisor times the form less y
- * M. */
-static bool solve_for_gains(study_proposer *w, const study_meeting *s, const study_form *f)
+/* Prices of the rows by the basis at hand, y / divisor, for that form. */
+static bool solve_for_form(study_proposer *w, const study_meeting *s, const study_form *f)
 {
     const fmb_general_system *g = &w->g->program;
     for (int k = 0; k < g->rows; k++)
@@ -294,15 +293,18 @@ static bool solve_for_gains(study_proposer *w, const study_meeting *s, const stu
             mpz_set(w->a[k][g->rows], f->w[g->pivot[k]]);
         else
             mpz_set_ui(w->a[k][g->rows], 0);
-    if (!solve_for_prices(w, s))
-        return false;
+    return solve_for_prices(w, s);
+}
+
+/* gain := divisor times the form less y M, with these prices. */
+static void find_gains(study_proposer *w, const study_meeting *s, const study_form *f)
+{
     multiply_by_columns(w, s, w->gain);
-    for (int j = 0; j < g->columns; j++) {
+    for (int j = 0; j < w->g->program.columns; j++) {
         mpz_neg(w->gain[j], w->gain[j]);
         if (j < s->columns)
             mpz_addmul(w->gain[j], f->w[j], w->divisor);
     }
-    return true;
 }
 
 /* Place of a pivot that is outside of its range at the point at hand, or -1; *high: it is above. */
@@ -525,10 +527,11 @@ static bool walk_to_end(study_proposer *w, study_meeting *s, const study_form *f
         int place = find_place_outside(w, &high);
         if (place < 0)
             keep_point(w, s);
-        if (!solve_for_gains(w, s, f))
+        if (!solve_for_form(w, s, f))
             return false;
         if (place < 0)
             return true;
+        find_gains(w, s, f);
         if (!step_into_range(w, s, place, high))
             return false;
     }
