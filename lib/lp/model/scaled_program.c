@@ -167,7 +167,8 @@ static fmb_status reserve_real_rows(fmb_scaled_program *f, size_t m, size_t term
 {
     fmb_mem *mem = f->run->mem;
     FMB_TRY(FMB_RESERVE(mem, &f->start, &f->start_room, m + 1));
-    FMB_TRY(FMB_RESERVE(mem, &f->value, &f->value_room, terms));
+    /* One more: a row of no terms has a place, too. */
+    FMB_TRY(FMB_RESERVE(mem, &f->value, &f->value_room, terms + 1));
     FMB_TRY(FMB_RESERVE(mem, &f->right, &f->right_room, m));
     FMB_TRY(FMB_RESERVE(mem, &f->exponent, &f->exponent_room, m));
     return FMB_RESERVE(mem, &f->off, &f->off_room, m);
