@@ -17,10 +17,6 @@
 /* What multipliers of about 0 become, without a cost and where the largest cost is about 1. */
 #define NUDGE         1e-2
 #define NUDGE_OF_COST 1e-4
-/* The same where the primal method did not come to an end from the first vertex, and after how many
- * steps besides the number of columns it is taken not to. */
-#define NEXT_NUDGE         1e-3
-#define PATIENCE_OF_PRIMAL 1000
 
 struct fmb_backend {
     fmb_scaled_program scaled;
@@ -99,15 +95,14 @@ static fmb_status lean_cost(fmb_simplex_state *o, const double *lean)
     return st;
 }
 
-static fmb_status search_with_nudge(fmb_simplex_state *o, const double *lean, double nudge,
-                                    fmb_hint *h)
+static fmb_status search(fmb_simplex_state *o, const double *lean, fmb_hint *h)
 {
     fmb_status st = FMB_OK;
     if (!o->placed)
         st = start_at_bounds(o, lean);
     o->placed = true;
     o->steps = 0;
-    o->nudge = nudge;
+    o->nudge = lean ? NUDGE_OF_COST : NUDGE;
     memset(o->cost, 0, o->n * sizeof *o->cost);
     if (st == FMB_OK && lean)
         st = lean_cost(o, lean);
@@ -115,11 +110,6 @@ static fmb_status search_with_nudge(fmb_simplex_state *o, const double *lean, do
         st = search_on(o, h);
     hand_out_members(o, h);
     return st;
-}
-
-static fmb_status search(fmb_simplex_state *o, const double *lean, fmb_hint *h)
-{
-    return search_with_nudge(o, lean, lean ? NUDGE_OF_COST : NUDGE, h);
 }
 
 /* From a vertex that is primal feasible. */
@@ -146,18 +136,6 @@ static fmb_status climb_to_optimum(fmb_simplex_state *o, const double *cost, fmb
     return st;
 }
 
-/* From the bounds again, leaning to the cost with other shares: another vertex, and another way. */
-static fmb_status begin_again(fmb_simplex_state *o, const double *cost, fmb_hint *h)
-{
-    o->placed = false;
-    restore_right_sides(o);
-    o->most_steps = fmb_simplex_most_pivots(o);
-    fmb_status st = search_with_nudge(o, cost, NEXT_NUDGE, h);
-    h->kind = FMB_HINT_NONE;
-    o->steps = 0;
-    return st == FMB_OK && o->feasible ? climb_to_optimum(o, cost, h) : st;
-}
-
 static fmb_status maximize(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
     fmb_status st = FMB_OK;
@@ -165,22 +143,18 @@ static fmb_status maximize(fmb_simplex_state *o, const double *cost, fmb_hint *h
     o->steps = 0;
     if (!o->feasible)
         st = search(o, NULL, h);
-    o->most_steps = o->steps + PATIENCE_OF_PRIMAL + o->n;
+    o->most_steps = o->steps + fmb_simplex_most_pivots(o);
     if (st == FMB_OK && o->feasible)
         st = climb_to_optimum(o, cost, h);
-    if (st == FMB_OK && h->kind == FMB_HINT_NONE && o->steps > o->most_steps)
-        st = begin_again(o, cost, h);
     hand_out_members(o, h);
     return st;
 }
 
-/* From where a search ended on to where the cost is greatest, or as far as one comes in no more
- * than twice the steps of the search, and before it is taken for a circle: then no other vertex has
- * to be solved for. */
+/* From where a search ended on to where the cost is greatest, or as far as one comes in twice the
+ * steps of the search: then no other vertex has to be solved for. */
 static fmb_status go_on_from_search(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
-    size_t patient = o->steps + PATIENCE_OF_PRIMAL + o->n;
-    o->most_steps = 3 * o->steps < patient ? 3 * o->steps : patient;
+    o->most_steps = 3 * o->steps;
     fmb_status st = climb_to_optimum(o, cost, h);
     h->kind = o->feasible ? FMB_HINT_OPTIMUM : FMB_HINT_NONE;
     hand_out_members(o, h);

@@ -168,6 +168,11 @@ static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, siz
         return FMB_OK;
     }
     fmb_simplex_state_look_along(o, r);
+    if (o->basis.pivots > 0 && fmb_simplex_state_is_doubtful(o, r, i)) {
+        fmb_status st = fmb_simplex_state_renew(o);
+        list_all_violated(o);
+        return st;
+    }
     update_row_weights(o, r, i);
     fmb_status st = fmb_simplex_state_pivot(o, r, i);
     list_newly_violated(o);

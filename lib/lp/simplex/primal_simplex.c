@@ -103,6 +103,24 @@ static fmb_status move_right_sides(fmb_simplex_state *o)
     return fmb_simplex_state_refresh(o);
 }
 
+/* The row that stops the way along edge r, written in the basis, or FMB_NOWHERE. *stale: its pivot
+ * is doubtful, and may not be where the basis is computed afresh. Where it just was, the row is
+ * passed over: all that is seen of it is rounding errors. */
+static size_t find_certain_row(fmb_simplex_state *o, size_t r, bool *stale)
+{
+    fmb_simplex_state_look_along(o, r);
+    for (;;) {
+        size_t i = find_stopping_row(o, o->y[r] > 0 ? 1 : -1);
+        if (i == FMB_NOWHERE)
+            return i;
+        fmb_basis_inverse_write(&o->basis, i, &o->entry);
+        *stale = fmb_simplex_state_is_doubtful(o, r, i);
+        if (!*stale || o->basis.pivots > 0)
+            return i;
+        o->rate.at[i] = 0;
+    }
+}
+
 static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd,
                                    size_t *idle)
 {
@@ -111,16 +129,17 @@ static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, s
         *end = FMB_SIMPLEX_DONE;
         return FMB_OK;
     }
-    fmb_simplex_state_look_along(o, r);
-    size_t i = find_stopping_row(o, o->y[r] > 0 ? 1 : -1);
+    bool stale = false;
+    size_t i = find_certain_row(o, r, &stale);
     if (i == FMB_NOWHERE) {
         *odd = r;
         *end = FMB_SIMPLEX_STOPPED;
         return FMB_OK;
     }
+    if (stale)
+        return fmb_simplex_state_renew(o);
     *idle = o->slack[i] > fmb_simplex_state_tolerance(o) ? 0 : *idle + 1;
     o->slack[i] = o->row_role[i] == FMB_ROLE_EQUAL ? o->slack[i] : fmax(o->slack[i], 0);
-    fmb_basis_inverse_write(&o->basis, i, &o->entry);
     update_edge_weights(o, r);
     fmb_status st = fmb_simplex_state_pivot(o, r, i);
     if (st == FMB_OK && *idle > PATIENCE + o->n && !o->moved) {

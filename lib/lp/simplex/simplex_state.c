@@ -170,6 +170,12 @@ fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o)
     return FMB_OK;
 }
 
+fmb_status fmb_simplex_state_renew(fmb_simplex_state *o)
+{
+    fmb_status st = fmb_simplex_state_place(o, o->basis.member);
+    return st == FMB_OK ? fmb_simplex_state_refresh(o) : st;
+}
+
 /* ---- from vertex to vertex ------------------------------------------------------------------- */
 
 void fmb_simplex_state_look_along(fmb_simplex_state *o, size_t r)

@@ -10,6 +10,9 @@
 #include "lp/simplex/basis_inverse.h"
 #include "lp/simplex/columns.h"
 
+/* A pivot that is known with a larger share of error is none. */
+#define FMB_SIMPLEX_DOUBTFUL 1e-6
+
 /* What holds for the multiplier of a member, and what does for a row outside of the basis. */
 typedef enum fmb_role {
     FMB_ROLE_LESS,  /* >= 0; the row is an inequality */
@@ -54,6 +57,8 @@ fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member);
 /* Slacks and multipliers from the basis alone, which is computed afresh where it is stale, or found
  * to be inexact. */
 fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o);
+/* The same, with the basis computed afresh in any case. */
+fmb_status fmb_simplex_state_renew(fmb_simplex_state *o);
 /* The point, into `edge`. */
 void fmb_simplex_state_find_point(fmb_simplex_state *o);
 /* What row i is, inside or outside, on or off, has changed. */
@@ -80,6 +85,13 @@ static inline size_t fmb_simplex_state_work(const fmb_simplex_state *o)
 static inline double fmb_simplex_state_tolerance(const fmb_simplex_state *o)
 {
     return o->f->sharp ? 1e-11 : 1e-9;
+}
+/* Row i was written, and edge r looked along: is their pivot not the same number both ways? Then
+ * rounding errors are as large as it is. */
+static inline bool fmb_simplex_state_is_doubtful(const fmb_simplex_state *o, size_t r, size_t i)
+{
+    double by_row = o->entry.at[r], by_edge = o->rate.at[i];
+    return fabs(by_row - by_edge) > FMB_SIMPLEX_DOUBTFUL * fabs(by_edge);
 }
 /* From 1 to 2. */
 static inline double fmb_simplex_state_draw(fmb_simplex_state *o)
