@@ -12,8 +12,10 @@
 
 #include "lp/simplex/simplex_methods.h"
 
-/* Less than this times the largest rate stops nothing. */
-#define NO_STOP 1e-9
+/* A rate that is less stops nothing; nor does one that is less than this times the largest, which
+ * may be rounding errors. */
+#define NO_STOP  1e-9
+#define ROUNDING 1e-14
 /* Steps without a gain, besides the number of columns, after which rows are moved, and how far. */
 #define PATIENCE 50
 #define MOVE     1e-6
@@ -61,7 +63,8 @@ static inline double find_distance(const fmb_simplex_state *o, size_t i)
 
 static size_t find_stopping_row(const fmb_simplex_state *o, double sign)
 {
-    double zero = NO_STOP * fmax(1, find_largest_rate(o)), slip = fmb_simplex_state_tolerance(o);
+    double zero = fmax(NO_STOP, ROUNDING * find_largest_rate(o)),
+           slip = fmb_simplex_state_tolerance(o);
     double least = INFINITY, most = 0;
     size_t best = FMB_NOWHERE, count = fmb_indexed_vector_count(&o->rate);
     for (size_t t = 0; t < count; t++) {
