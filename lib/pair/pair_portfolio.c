@@ -199,6 +199,11 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     fmb_corner_edges of_p, of_q;
     bool by_kernels = k->dim == 2 || k->dim == 3;
+    if (are_hulls(p, q)) {
+        *out = fmb_contact_of_hulls(p, q, &k->wide->packed->hulls, &(bool){false}, NULL);
+        fmb_way_answered(FMB_WAY_PAIR_DOUBLES, *out != FMB_UNKNOWN);
+        return;
+    }
     bool done = fmb_way(FMB_WAY_PAIR_CORNERS) && fmb_decide_corners(p, q, k->options.contact, out);
     fmb_way_answered(FMB_WAY_PAIR_CORNERS, done);
     if (done)
@@ -206,9 +211,7 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
     if (by_kernels)
         decide_at_vertices(a, i, out);
     done = *out != FMB_UNKNOWN;
-    if (!done && are_hulls(p, q))
-        *out = fmb_contact_of_hulls(p, q, k->wide->packed->farthest, &(bool){false}, NULL);
-    else if (!done && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
+    if (!done && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
     fmb_way_answered(FMB_WAY_PAIR_DOUBLES, !done && *out != FMB_UNKNOWN);
     if (*out == FMB_UNKNOWN && !by_kernels)

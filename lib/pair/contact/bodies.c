@@ -7,12 +7,12 @@
 
 /* Doubles times that power of two, in two factors as it may be as large as 2^1074. */
 typedef struct power {
-    double half, rest;
+    double factor[2];
 } power;
 
 static double scaled(power s, double x)
 {
-    return x * s.half * s.rest;
+    return x * s.factor[0] * s.factor[1];
 }
 
 static double measure_numbers(const double *x, int n, double most)
@@ -76,12 +76,18 @@ static void place_simplex(const fmb_frame *f, power s, const double *origin, con
 {
     bool corners = f->shape == FMB_SIMPLEX_BY_CORNERS;
     int n = out->n = f->naxes + 1;
+    double move[3];
     out->edges = 0;
+    for (int j = 0; j < 3; j++)
+        move[j] = j >= f->dim ? 0 : corners ? scaled(s, origin[j]) : -shift[j];
+    if (n > 4 && f->dim == 3 && b->hulls) {
+        b->reach += 2 * b->hulls->place(f->axes, f->naxes, s.factor, move, shift, out->x[0]);
+        return;
+    }
     for (int j = 0; j < 3; j++) {
-        double from = j >= f->dim ? 0 : corners ? scaled(s, origin[j]) : -shift[j];
         const double *at = f->axes + (j < f->dim ? j : 0);
         for (int v = 1; v < n; v++, at += f->dim)
-            out->x[j][v] = scaled(s, *at) - from;
+            out->x[j][v] = scaled(s, *at) - move[j];
         for (int v = 1; j >= f->dim && v < n; v++)
             out->x[j][v] = 0;
         for (int v = n; v % (n > 4 ? 8 : 4) != 0; v++)
@@ -121,7 +127,7 @@ void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)
     out->moves = p->speed || q->speed;
     out->exponent = 0;
     out->known = true;
-    place_bodies(f, (power){1, 1}, out);
+    place_bodies(f, (power){{1, 1}}, out);
     if (out->reach > 0x1p-100 && out->reach < 0x1p100)
         return;
     for (int k = 0; k < 2; k++) {
@@ -131,7 +137,8 @@ void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)
     }
     frexp(most, &out->exponent);
     place_bodies(
-        f, (power){ldexp(1, -(out->exponent / 2)), ldexp(1, -(out->exponent - out->exponent / 2))},
+        f,
+        (power){{ldexp(1, -(out->exponent / 2)), ldexp(1, -(out->exponent - out->exponent / 2))}},
         out);
     out->known = out->reach > 0x1p-300;
 }

@@ -22,14 +22,21 @@ typedef struct fmb_body_vertices {
                                       are more of eight, with the first one again */
 } fmb_body_vertices;
 
-/* The number of a vertex of x, [3][FMB_BODY_MOST] of which n > 4, that is farthest along w; up to
- * the next multiple of eight vertices come again. */
-typedef int fmb_farthest(const double *x, int n, const double *w);
+/* Loops over more vertices than four, x[3][FMB_BODY_MOST]. Up to a multiple of eight vertices come
+ * again. */
+typedef struct fmb_hull_kernels {
+    /* The number of a vertex of n that is farthest along w. */
+    int (*farthest)(const double *x, int n, const double *w);
+    /* n points of space, times both factors and less `from`, become vertices, and `first` the one
+     * behind them. The size of the longest way from that one to another. */
+    double (*place)(const double *points, int n, const double factor[2], const double *from,
+                    const double *first, double *x);
+} fmb_hull_kernels;
 
 typedef struct fmb_bodies {
-    fmb_farthest *farthest; /* for more vertices than four, or NULL: one after another */
-    int dim, exponent;      /* the world is 2^exponent times as large */
-    bool moves, known;      /* known: the reach is far above what underflows */
+    const fmb_hull_kernels *hulls; /* or NULL: one after another */
+    int dim, exponent;             /* the world is 2^exponent times as large */
+    bool moves, known;             /* known: the reach is far above what underflows */
     double reach;    /* <fmb/pair.h>: sizes of all edges, of the way between the origins and of
                         the drift; of a frame with more axes than dim its longest edge twice */
     double drift[3]; /* speed of the first less that of the second */
@@ -54,7 +61,7 @@ static inline bool fmb_bodies_are(const fmb_frame *p, const fmb_frame *q)
 {
     return (p->dim == 2 || p->dim == 3) && p->naxes < FMB_BODY_MOST && q->naxes < FMB_BODY_MOST;
 }
-/* Of frames that can. Sets all but farthest. */
+/* Of frames that can. Sets all but hulls. */
 void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out);
 /* Coordinate j of the world. */
 double fmb_bodies_place(const fmb_bodies *b, const fmb_frame *p, int j, double x);

@@ -23,6 +23,7 @@ typedef struct contact_scene {
 static void set_scene(const fmb_frame *p, const fmb_frame *q, const double *normal,
                       contact_scene *s)
 {
+    s->b.hulls = NULL;
     fmb_bodies_init(p, q, &s->b);
     s->fuzz = 0x1p-40 * s->b.reach;
     memset(s->across, 0, sizeof s->across);

@@ -14,13 +14,13 @@ typedef struct asked_bodies {
 /* From a guess between the middles of vertices that are about opposite, no farther than to know
  * that they are more than `enough` apart [world]. False: it underflows. */
 static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, double enough,
-                              fmb_farthest *farthest, asked_bodies *x)
+                              const fmb_hull_kernels *hulls, asked_bodies *x)
 {
     double guess[3] = {0, 0, 0};
     const fmb_body_vertices *s = x->b.side;
+    x->b.hulls = hulls;
     fmb_bodies_init(p, q, &x->b);
     x->g.b = &x->b;
-    x->b.farthest = farthest;
     for (int j = 0; j < p->dim; j++)
         guess[j] = (s[0].x[j][0] + s[0].x[j][s[0].n / 2]) - (s[1].x[j][0] + s[1].x[j][s[1].n / 2]);
     if (x->b.known)
@@ -89,11 +89,11 @@ bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, do
     return true;
 }
 
-fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_farthest *farthest,
-                                 bool *good, fmb_pair_near *out)
+fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q,
+                                 const fmb_hull_kernels *hulls, bool *good, fmb_pair_near *out)
 {
     asked_bodies x;
-    bool wants = *good, known = ask_nearest_point(p, q, wants ? INFINITY : 0, farthest, &x);
+    bool wants = *good, known = ask_nearest_point(p, q, wants ? INFINITY : 0, hulls, &x);
     *good = false;
     if (known && x.g.apart > 0) {
         *good = wants && tell_distance(&x, p, q, out);
@@ -126,6 +126,7 @@ double fmb_contact_offset(const fmb_frame *p, const fmb_frame *q, const double *
 {
     fmb_bodies b;
     double sum = 0, size = 0;
+    b.hulls = NULL;
     fmb_bodies_init(p, q, &b);
     if (!b.known || b.moves)
         return NAN;

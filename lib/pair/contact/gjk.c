@@ -28,19 +28,18 @@ static void cross(const double *a, const double *b, double *out)
 
 /* ---- support --------------------------------------------------------------------------------- */
 
-/* The vertex of side k that is farthest along sign times w. */
-static int farthest_vertex(const fmb_bodies *b, int k, double sign, const double *w)
+/* The vertex of side k that is farthest along it. */
+static int farthest_vertex(const fmb_bodies *b, int k, const double *along)
 {
     const fmb_body_vertices *s = &b->side[k];
-    const double along[3] = {sign * w[0], sign * w[1], sign * w[2]};
     int best = 0;
     if (s->edges > 0) {
         for (int i = 0; i < s->edges; i++)
             best |= (fmb_dot3(along, s->edge[i]) > 0) << i;
         return best;
     }
-    if (s->n > 4 && b->farthest)
-        return b->farthest(s->x[0], s->n, along);
+    if (s->n > 4 && b->hulls)
+        return b->hulls->farthest(s->x[0], s->n, along);
     double most = -DBL_MAX;
     for (int v = 0; v < s->n; v++) {
         double at = along[0] * s->x[0][v] + along[1] * s->x[1][v] + along[2] * s->x[2][v];
@@ -53,7 +52,8 @@ static int farthest_vertex(const fmb_bodies *b, int k, double sign, const double
 void fmb_gjk_support(const fmb_gjk *g, const double *w, fmb_gjk_vertex *out)
 {
     const fmb_body_vertices *a = &g->b->side[0], *b = &g->b->side[1];
-    int i = farthest_vertex(g->b, 0, -1, w), k = farthest_vertex(g->b, 1, 1, w);
+    const double back[3] = {-w[0], -w[1], -w[2]};
+    int i = farthest_vertex(g->b, 0, back), k = farthest_vertex(g->b, 1, w);
     out->of[0] = i;
     out->of[1] = k;
     out->late = g->b->moves && fmb_dot3(w, g->b->drift) < 0;
@@ -192,17 +192,19 @@ static bool is_in_simplex(const fmb_gjk *g, const fmb_gjk_vertex *v)
     return i < g->n;
 }
 
-/* Both bodies reach so far towards each other along x, which is what is between times the length
- * of x. Roots are for those that are apart: of others nothing is known yet. */
-static void note_apart(fmb_gjk *g, double between, double square)
+/* M reaches as far as v in the direction of -w: what that says of the distance. Roots are for
+ * bodies that are apart: of others nothing is known yet. */
+static void note_apart(fmb_gjk *g, const double *w, const fmb_gjk_vertex *v)
 {
+    const double error = 64 * DBL_EPSILON * g->b->reach;
+    double between = fmb_dot3(w, v->x) - error * fmb_size3(w);
     if (!(between > 0))
         return;
-    double length = sqrt(square), apart = between / length * (1 - 8 * DBL_EPSILON);
+    double length = sqrt(fmb_dot3(w, w)), apart = between / length * (1 - 8 * DBL_EPSILON);
     if (apart > g->apart) {
         g->apart = apart;
         for (int j = 0; j < 3; j++)
-            g->along[j] = g->x[j] / length;
+            g->along[j] = w[j] / length;
     }
 }
 
@@ -218,30 +220,30 @@ static bool step_to_vertex(fmb_gjk *g, double *square)
         return false;
     *square = now;
     g->n = p.n;
-    fmb_gjk_vertex v[4];
+    const fmb_gjk_vertex v[4] = {g->v[0], g->v[1], g->v[2], g->v[3]};
     for (int i = 0; i < p.n; i++) {
-        v[i] = g->v[p.of[i]];
+        g->v[i] = v[p.of[i]];
         g->weight[i] = p.weight[i];
     }
-    memcpy(g->v, v, (size_t)p.n * sizeof *v);
     memcpy(g->x, p.x, sizeof g->x);
     return true;
 }
 
 void fmb_gjk_nearest(fmb_gjk *g, const double *guess, double enough)
 {
-    const double close = 0x1p-43 * g->b->reach, error = 64 * DBL_EPSILON * g->b->reach;
+    const double close = 0x1p-43 * g->b->reach;
     double square = INFINITY;
     g->apart = -INFINITY;
     g->n = 0;
     fmb_gjk_support(g, guess, &g->v[0]);
+    note_apart(g, guess, &g->v[0]);
     for (int step = 0; step < MOST_STEPS && step_to_vertex(g, &square); step++) {
         fmb_gjk_vertex *next = &g->v[g->n];
-        if (g->weight[0] < 0 || square <= close * close)
+        if (g->weight[0] < 0 || square <= close * close || g->apart > enough)
             return;
         fmb_gjk_support(g, g->x, next);
-        double at = fmb_dot3(g->x, next->x), left = square - at;
-        note_apart(g, at - error * fmb_size3(g->x), square);
+        double left = square - fmb_dot3(g->x, next->x);
+        note_apart(g, g->x, next);
         if (g->apart > enough || left <= 0 || left * left <= close * close * square ||
             is_in_simplex(g, next))
             return;

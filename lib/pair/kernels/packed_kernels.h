@@ -80,7 +80,7 @@ typedef struct fmb_packed {
     void (*row[2])(const fmb_packed_row *x, fmb_packed_bits *out);
     /* The largest of n numbers in the even and in the odd places; n is even. */
     void (*largest)(const uint32_t *index, size_t n, uint32_t out[2]);
-    fmb_farthest *farthest;
+    fmb_hull_kernels hulls;
 } fmb_packed;
 
 extern const fmb_packed fmb_packed_narrow, fmb_packed_avx2, fmb_packed_avx512;

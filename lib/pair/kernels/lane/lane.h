@@ -215,6 +215,19 @@ FMB_INLINE lane lane_max(lane a, lane b)
 }
 #endif
 
+/* The first n numbers at a, and 0 in the lanes behind; n may be less than 0 or too large. */
+FMB_INLINE lane lane_load_some(const double *a, int n)
+{
+#if FMB_LANES == 8
+    return _mm512_maskz_loadu_pd((__mmask8)(n <= 0 ? 0 : n >= 8 ? 0xff : (1 << n) - 1), a);
+#else
+    double some[FMB_LANES] = {0};
+    for (int l = 0; l < FMB_LANES && l < n; l++)
+        some[l] = a[l];
+    return n >= FMB_LANES ? lane_load(a) : lane_load(some);
+#endif
+}
+
 /* Lanes as words of 64 bits: shifted, and combined bit by bit. */
 #if FMB_LANES > 1
 typedef uint64_t lane_word __attribute__((vector_size(8 * FMB_LANES)));

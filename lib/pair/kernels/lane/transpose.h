@@ -44,4 +44,30 @@ FMB_INLINE void transpose_four(const double *const *from, int r, lane out[4])
 #endif
 }
 
+/* x, y and z of FMB_LANES points of space, numbers of which stand in a row in `from`. */
+FMB_INLINE void transpose_points(const lane from[3], lane out[3])
+{
+#if FMB_LANES == 1
+    for (int k = 0; k < 3; k++)
+        out[k] = from[k];
+#else
+    lane p = from[0], q = from[1], r = from[2]; /* (x y), (z x), (y z), each from the next points */
+#if FMB_LANES == 8
+    const lane a = from[0], b = from[1], c = from[2];
+    p = _mm512_shuffle_f64x2(a, _mm512_shuffle_f64x2(b, c, 0x5a), 0x8c);
+    q = _mm512_shuffle_f64x2(_mm512_shuffle_f64x2(a, b, 0x05), _mm512_shuffle_f64x2(b, c, 0xaf),
+                             0x88);
+    r = _mm512_shuffle_f64x2(_mm512_shuffle_f64x2(a, b, 0x5a), c, 0xc8);
+#elif FMB_LANES == 4
+    p = _mm256_permute2f128_pd(from[0], from[1], 0x30);
+    q = _mm256_permute2f128_pd(from[0], from[2], 0x21);
+    r = _mm256_permute2f128_pd(from[1], from[2], 0x30);
+#endif
+    enum { EVEN = (1 << FMB_LANES) / 3, ODD = (1 << FMB_LANES) - 1 - EVEN };
+    out[0] = LANE(shuffle, p, q, ODD);
+    out[1] = LANE(shuffle, p, r, EVEN);
+    out[2] = LANE(shuffle, q, r, ODD);
+#endif
+}
+
 #endif

@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-#include "pair/kernels/contact/contact_farthest.h"
+#include "pair/kernels/contact/contact_hulls.h"
 #include "pair/kernels/contact/contact_kernel.h"
 #include "pair/kernels/lane/transpose.h"
 #include "pair/kernels/packed_kernels.h"
@@ -388,6 +388,6 @@ const fmb_packed FMB_PACKED_TABLE = {.flat = {packed_ask_any_2d, packed_ask_any_
                                      .tiles = {packed_tiles_2d, packed_tiles_3d},
                                      .row = {packed_row_2d, packed_row_3d},
                                      .largest = packed_largest,
-                                     .farthest = contact_farthest};
+                                     .hulls = {contact_farthest, contact_place}};
 
 #endif
