@@ -1,13 +1,12 @@
 /* pair_contact.c: see pair_contact.h. */
 #include "pair/pair_contact.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "pair/contact/bodies.h"
 #include "pair/contact/contact_face.h"
-#include "pair/contact/contact_near.h"
 #include "pair/corner_edges.h"
-#include "pair/kernels/packed_kernels.h"
 
 /* Pairs that are answered together, and a block of some of them. */
 enum { CONTACTS_AT_ONCE = 64 };
@@ -16,6 +15,7 @@ typedef struct contact_query {
     fmb_pair *k;
     const fmb_frame *p, *q; /* of the pairs at hand */
     size_t n;
+    bool distances, rows;                  /* what is asked of those apart */
     fmb_verdict verdict[CONTACTS_AT_ONCE]; /* UNKNOWN: to be asked */
     bool good[CONTACTS_AT_ONCE];           /* and this is known: */
     fmb_pair_near near[CONTACTS_AT_ONCE];
@@ -24,6 +24,27 @@ typedef struct contact_query {
 } contact_query;
 
 /* ---- by kernels ------------------------------------------------------------------------------ */
+
+void fmb_contact_read_distance(const fmb_frame *p, const fmb_frame *q,
+                               const fmb_distance_lanes *from, int lane, bool row,
+                               fmb_pair_near *out)
+{
+    out->length = from->distance[lane];
+    for (int j = 0; j < p->dim; j++) {
+        out->normal[j] = from->normal[j][lane];
+        for (int side = 0; side < 2; side++) {
+            const double *speed = side == 0 ? p->speed : q->speed;
+            out->point[side][j] = p->origin[j] + from->point[side][j][lane] +
+                                  (speed ? from->time[lane] * speed[j] : 0);
+        }
+    }
+    out->has_row = row;
+    if (row)
+        out->offset = p->speed || q->speed
+                          ? NAN
+                          : fmb_contact_offset_between(p, out->normal, from->low[lane],
+                                                       from->high[lane], from->reach[lane], 0);
+}
 
 static void read_lane(contact_query *x, const fmb_contact_lanes *from, int lane)
 {
@@ -42,6 +63,7 @@ static void ask_block(contact_query *x)
     const fmb_pair_kernels *w = x->k->wide;
     fmb_block *b = &x->block;
     fmb_contact_lanes answer;
+    fmb_distance_lanes far = {.good = 0};
     if (b->lanes == 0)
         return;
     for (int r = 0; b->lanes < w->width && r < FMB_BLOCK_MOST_ROWS; r++)
@@ -49,8 +71,16 @@ static void ask_block(contact_query *x)
             b->number[r * w->width + lane] = b->number[r * w->width];
     answer.good = 0;
     w->packed->contact[x->k->dim - 2](&x->kind, b->number, &answer);
-    for (int lane = 0; lane < b->lanes; lane++)
+    if (x->distances && answer.bits.apart & ((1U << b->lanes) - 1))
+        w->packed->distance[x->k->dim - 2](&x->kind, b->number, &far);
+    for (int lane = 0; lane < b->lanes; lane++) {
+        size_t i = b->pair[lane];
         read_lane(x, &answer, lane);
+        if (x->verdict[i] != FMB_INFEASIBLE || !(far.good >> lane & 1))
+            continue;
+        x->good[i] = true;
+        fmb_contact_read_distance(&x->p[i], &x->q[i], &far, lane, x->rows, &x->near[i]);
+    }
     b->lanes = 0;
 }
 
@@ -142,6 +172,7 @@ static fmb_status tell_exactly(fmb_pair *k, const fmb_frame *p, const fmb_frame 
         return FMB_OK;
     }
     k->counts.exact_boxes++;
+    out->has_row = false;
     return fmb_pair_oracle_near(&k->oracle, p, q, verdict, out);
 }
 
@@ -170,7 +201,7 @@ fmb_status fmb_contact_answer_apart(fmb_pair *k, const fmb_frame *p, const fmb_f
             out->nearest[side * k->dim + j] = near->point[side][j];
     }
     if (out->offset)
-        *out->offset = fmb_contact_offset(p, q, near->normal);
+        *out->offset = near->has_row ? near->offset : fmb_contact_offset(p, q, near->normal);
     return FMB_OK;
 }
 
@@ -224,7 +255,8 @@ static bool is_contact_refused(contact_query *x, size_t i, size_t number)
 fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
                                   const fmb_pair_answers *out)
 {
-    contact_query x = {.k = k};
+    contact_query x = {
+        .k = k, .distances = fmb_contact_asks_distance(out), .rows = out->offset != NULL};
     if (k->dim < 2 || k->dim > 3) {
         snprintf(k->error, sizeof k->error, "depths are told in 2 and 3 dimensions, not %d",
                  k->dim);

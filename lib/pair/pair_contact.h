@@ -4,6 +4,8 @@
 #ifndef FMB_PAIR_PAIR_CONTACT_H
 #define FMB_PAIR_PAIR_CONTACT_H
 
+#include "pair/contact/contact_near.h"
+#include "pair/kernels/packed_kernels.h"
 #include "pair/pair_portfolio.h"
 
 /* Of pairs that meet: does out ask for more than fmb_pair_answer_all answers? Of those that do not?
@@ -30,6 +32,11 @@ fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim,
 /* What goes with a depth and its normal: all of out, of this one pair, but its verdict. */
 void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, const double *normal,
                        const fmb_pair_answers *out);
+
+/* What a lane that is good says of a pair that is apart; its row only if that is wanted. */
+void fmb_contact_read_distance(const fmb_frame *p, const fmb_frame *q,
+                               const fmb_distance_lanes *from, int lane, bool row,
+                               fmb_pair_near *out);
 
 /* Of one pair that is apart: how far, as in near, or if that is NULL by doubles or exactly; the
  * verdict becomes UNKNOWN where that is not told. Errors: MEMORY. */

@@ -41,6 +41,7 @@ static bool tell_distance(const asked_bodies *x, const fmb_frame *p, const fmb_f
         between += way * way;
     }
     length = sqrt(length);
+    out->has_row = false;
     out->length = ldexp(length, b->exponent);
     for (int j = 0; j < b->dim; j++) {
         out->normal[j] = -x->g.along[j];
@@ -122,22 +123,28 @@ static double reach_along(const fmb_body_vertices *s, int dim, const double *n, 
 
 /* The middle of what is between; what is left on either side must exceed the errors (gjk.h) of both
  * bodies, and what is rounded where the origin comes in. */
+double fmb_contact_offset_between(const fmb_frame *p, const double *normal, double low, double high,
+                                  double reach, int exponent)
+{
+    double sum = 0, size = 0;
+    double middle = ldexp(low / 2 + high / 2, exponent);
+    double left = ldexp((high - low) / 2 - 32 * DBL_EPSILON * reach, exponent);
+    for (int j = 0; j < p->dim; j++) {
+        sum += normal[j] * p->origin[j];
+        size += fabs(normal[j] * p->origin[j]);
+    }
+    double error = 8 * DBL_EPSILON * (size + fabs(middle)) + 32 * DBL_TRUE_MIN;
+    return left * (1 - DBL_EPSILON) > error ? sum + middle : NAN;
+}
+
 double fmb_contact_offset(const fmb_frame *p, const fmb_frame *q, const double *normal)
 {
     fmb_bodies b;
-    double sum = 0, size = 0;
     b.hulls = NULL;
     fmb_bodies_init(p, q, &b);
     if (!b.known || b.moves)
         return NAN;
     double low = reach_along(&b.side[0], b.dim, normal, 1);
     double high = -reach_along(&b.side[1], b.dim, normal, -1);
-    double middle = ldexp(low / 2 + high / 2, b.exponent);
-    double left = ldexp((high - low) / 2 - 32 * DBL_EPSILON * b.reach, b.exponent);
-    for (int j = 0; j < b.dim; j++) {
-        sum += normal[j] * p->origin[j];
-        size += fabs(normal[j] * p->origin[j]);
-    }
-    double error = 8 * DBL_EPSILON * (size + fabs(middle)) + 32 * DBL_TRUE_MIN;
-    return left * (1 - DBL_EPSILON) > error ? sum + middle : NAN;
+    return fmb_contact_offset_between(p, normal, low, high, b.reach, b.exponent);
 }

@@ -11,6 +11,8 @@ typedef struct fmb_pair_near {
     double length,
         normal[3];      /* of length 1, or 0 where frames touch that are apart (open contact) */
     double point[2][3]; /* of frames that are apart: the nearest of each */
+    bool has_row;       /* and what fmb_contact_offset says is there: */
+    double offset;
 } fmb_pair_near;
 
 /* Of frames that are apart: the distance, the normal, the nearest points, as <fmb/pair.h> promises
@@ -28,5 +30,9 @@ fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q,
 
 /* b of a row normal.x <= b that holds for p, and normal.x >= b for q; NAN where none is known. */
 double fmb_contact_offset(const fmb_frame *p, const fmb_frame *q, const double *normal);
+/* The same where p goes as far as `low` along the normal, from its origin, and q from `high` on,
+ * off by 64 u reach at most; all over 2^exponent. */
+double fmb_contact_offset_between(const fmb_frame *p, const double *normal, double low, double high,
+                                  double reach, int exponent);
 
 #endif

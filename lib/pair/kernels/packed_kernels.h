@@ -25,6 +25,19 @@ typedef struct fmb_contact_lanes {
 typedef void fmb_contact_kernel(const fmb_flat_kind *kind, const double *block,
                                 fmb_contact_lanes *out);
 
+/* The same of distances: a lane that is good is apart, so far and in that direction from A to B, as
+ * <fmb/pair.h> promises. Points and ends are from A's origin; points are at rest. */
+typedef struct fmb_distance_lanes {
+    unsigned good;
+    double distance[FMB_BLOCK_MOST_LANES], normal[3][FMB_BLOCK_MOST_LANES];
+    double point[2][3][FMB_BLOCK_MOST_LANES], time[FMB_BLOCK_MOST_LANES]; /* where, and when */
+    /* of frames that stand still: how far A goes along the normal, and from where on B does */
+    double low[FMB_BLOCK_MOST_LANES], high[FMB_BLOCK_MOST_LANES];
+    double reach[FMB_BLOCK_MOST_LANES];
+} fmb_distance_lanes;
+typedef void fmb_distance_kernel(const fmb_flat_kind *kind, const double *block,
+                                 fmb_distance_lanes *out);
+
 /* What a block holds. */
 typedef enum fmb_packed_shapes {
     FMB_PACKED_CUBOIDS = 0,
@@ -71,8 +84,10 @@ typedef struct fmb_packed_bits {
 typedef struct fmb_packed {
     fmb_flat_kernel *flat[2];
     fmb_contact_kernel *contact[2];
-    /* One answer a block. */
-    void (*contacts[2])(const fmb_packed_pairs *x, fmb_contact_lanes *out);
+    fmb_distance_kernel *distance[2];
+    /* One answer a block, of one of the two; the other is NULL. */
+    void (*lengths[2])(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
+                       fmb_distance_lanes *distances);
     /* Are all verdicts known? */
     bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out);
     /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */

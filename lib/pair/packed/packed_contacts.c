@@ -1,10 +1,16 @@
-/* packed_contacts.c: depths of pairs of frames of sets, by index. */
+/* packed_contacts.c: depths and distances of pairs of frames of sets, by index. */
 #include "pair/kernels/packed_kernels.h"
 #include "pair/packed/packed.h"
 #include "pair/pair_contact.h"
 
-/* Pairs whose depths a kernel is asked in one call. */
+/* Pairs that a kernel is asked about in one call. */
 enum { CONTACTS_OF_CALL = 64 };
+
+/* Those that wait for it, and their numbers in out. */
+typedef struct contacts_waiting {
+    size_t n, number[CONTACTS_OF_CALL];
+    fmb_frames_pair pair[CONTACTS_OF_CALL];
+} contacts_waiting;
 
 typedef struct contacts_query {
     fmb_pair *k;
@@ -36,45 +42,75 @@ static fmb_status write_contact(const contacts_query *x, fmb_frames_pair pair,
         normal[j] = from->normal[j][lane];
     fmb_frame p = fmb_frames_at(x->a, pair.a), q = fmb_frames_at(x->b, pair.b);
     fmb_contact_write(&p, &q, from->depth[lane], normal, &one);
-    if (one.distance)
-        *one.distance = 0;
     return FMB_OK;
 }
 
-/* n pairs that meet, number[] of out. */
-static fmb_status ask_contacts(const contacts_query *x, size_t n, const fmb_frames_pair *pair,
-                               const size_t *number, const fmb_pair_answers *out)
-{
-    const fmb_pair_kernels *w = x->k->wide;
-    fmb_contact_lanes lanes[CONTACTS_OF_CALL];
-    fmb_packed_pairs packed = {.record = {x->a->record, x->b->record},
-                               .index = {&pair->a, &pair->b},
-                               .n = n,
-                               .moves = x->plan.moves,
-                               .kind = &x->kind};
-    fmb_status st = FMB_OK;
-    w->packed->contacts[x->k->dim - 2](&packed, lanes);
-    for (size_t j = 0; st == FMB_OK && j < n; j++)
-        st = write_contact(x, pair[j], &lanes[j / (size_t)w->width], (int)(j % (size_t)w->width),
-                           number[j], out);
-    return st;
-}
-
-/* Pair i of out, whose verdict is known; no depth is asked for. */
-static fmb_status answer_without_depth(const contacts_query *x, fmb_frames_pair pair, size_t i,
-                                       const fmb_pair_answers *out)
+/* Pair i of out, which is apart. */
+static fmb_status write_distance(const contacts_query *x, fmb_frames_pair pair,
+                                 const fmb_distance_lanes *from, int lane, size_t i,
+                                 const fmb_pair_answers *out)
 {
     fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
     fmb_frame p = fmb_frames_at(x->a, pair.a), q = fmb_frames_at(x->b, pair.b);
-    if (*one.verdict == FMB_FEASIBLE && one.distance)
-        *one.distance = 0;
-    return *one.verdict == FMB_INFEASIBLE && fmb_contact_asks_distance(out)
-               ? fmb_contact_answer_apart(x->k, &p, &q, NULL, &one)
-               : FMB_OK;
+    fmb_pair_near near;
+    bool good = from->good >> lane & 1;
+    if (good)
+        fmb_contact_read_distance(&p, &q, from, lane, out->offset != NULL, &near);
+    return fmb_contact_answer_apart(x->k, &p, &q, good ? &near : NULL, &one);
+}
+
+/* What a kernel says of those that wait, all of which meet, or else are apart. */
+static fmb_status ask_waiting(const contacts_query *x, bool meet, contacts_waiting *w,
+                              const fmb_pair_answers *out)
+{
+    const fmb_pair_kernels *wide = x->k->wide;
+    fmb_contact_lanes contacts[CONTACTS_OF_CALL];
+    fmb_distance_lanes distances[CONTACTS_OF_CALL];
+    fmb_packed_pairs packed = {.record = {x->a->record, x->b->record},
+                               .index = {&w->pair->a, &w->pair->b},
+                               .n = w->n,
+                               .moves = x->plan.moves,
+                               .kind = &x->kind};
+    fmb_status st = FMB_OK;
+    if (w->n > 0)
+        wide->packed->lengths[x->k->dim - 2](&packed, meet ? contacts : NULL, distances);
+    for (size_t j = 0; st == FMB_OK && j < w->n; j++) {
+        size_t block = j / (size_t)wide->width;
+        int lane = (int)(j % (size_t)wide->width);
+        st = meet ? write_contact(x, w->pair[j], &contacts[block], lane, w->number[j], out)
+                  : write_distance(x, w->pair[j], &distances[block], lane, w->number[j], out);
+    }
+    w->n = 0;
+    return st;
+}
+
+/* Pair i of out waits, too. */
+static fmb_status wait_for_kernel(const contacts_query *x, bool meet, fmb_frames_pair pair,
+                                  size_t i, contacts_waiting *w, const fmb_pair_answers *out)
+{
+    w->pair[w->n] = pair;
+    w->number[w->n++] = i;
+    return w->n == CONTACTS_OF_CALL ? ask_waiting(x, meet, w, out) : FMB_OK;
+}
+
+/* Pair i of out, whose verdict is there. */
+static fmb_status answer_decided(const contacts_query *x, fmb_frames_pair pair, size_t i,
+                                 contacts_waiting waiting[2], const fmb_pair_answers *out)
+{
+    fmb_verdict verdict = out->verdict[i];
+    bool meet = verdict == FMB_FEASIBLE;
+    if (verdict == FMB_UNKNOWN) {
+        fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+        return answer_contact_as_frames(x, pair, &one);
+    }
+    if (meet && out->distance)
+        out->distance[i] = 0;
+    bool more = meet ? fmb_contact_asks_depth(out) : fmb_contact_asks_distance(out);
+    return more ? wait_for_kernel(x, meet, pair, i, &waiting[meet], out) : FMB_OK;
 }
 
 /* n pairs of one kind that a kernel knows, from pair i of out on. Verdicts come first, which cost a
- * fraction; those that meet then fill blocks of their own. */
+ * fraction; those that meet, and those apart, then fill blocks of their own. */
 static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
                                        const fmb_frames_pair *pair, size_t i,
                                        const fmb_pair_answers *out)
@@ -88,26 +124,15 @@ static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
                                .moves = x->plan.moves,
                                .shapes = x->plan.shapes,
                                .kind = &x->plan.flat};
-    fmb_frames_pair meeting[CONTACTS_OF_CALL];
-    size_t number[CONTACTS_OF_CALL], found = 0;
+    contacts_waiting waiting[2];
     fmb_status st = FMB_OK;
+    waiting[0].n = waiting[1].n = 0;
     x->k->wide->packed->pairs[x->k->dim - 2](&packed, out->verdict + i);
-    for (size_t j = 0; st == FMB_OK && j < n; j++) {
-        if (out->verdict[i + j] == FMB_UNKNOWN) {
-            fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i + j);
-            st = answer_contact_as_frames(x, pair[j], &one);
-        } else if (out->verdict[i + j] == FMB_FEASIBLE && fmb_contact_asks_depth(out)) {
-            meeting[found] = pair[j];
-            number[found++] = i + j;
-        } else {
-            st = answer_without_depth(x, pair[j], i + j, out);
-        }
-        if (found == CONTACTS_OF_CALL) {
-            st = ask_contacts(x, found, meeting, number, out);
-            found = 0;
-        }
-    }
-    return st == FMB_OK && found > 0 ? ask_contacts(x, found, meeting, number, out) : st;
+    for (size_t j = 0; st == FMB_OK && j < n; j++)
+        st = answer_decided(x, pair[j], i + j, waiting, out);
+    for (int meet = 0; st == FMB_OK && meet < 2; meet++)
+        st = ask_waiting(x, meet, &waiting[meet], out);
+    return st;
 }
 
 static bool has_kind(const contacts_query *x, fmb_frames_pair pair)

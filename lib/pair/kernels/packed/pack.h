@@ -13,8 +13,8 @@
 
 #include <string.h>
 
+#include "pair/kernels/contact/contact_distance.h"
 #include "pair/kernels/contact/contact_hulls.h"
-#include "pair/kernels/contact/contact_kernel.h"
 #include "pair/kernels/lane/transpose.h"
 #include "pair/kernels/packed_kernels.h"
 
@@ -160,9 +160,11 @@ static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
                     : packed_pairs_of_shapes(3, false, x, out);
 }
 
-/* ---- depths of pairs by index ---------------------------------------------------------------- */
+/* ---- depths and distances of pairs by index -------------------------------------------------- */
 
-FMB_INLINE void packed_contacts(int dim, const fmb_packed_pairs *x, fmb_contact_lanes *out)
+/* One of the two, an answer a block; the other is NULL. */
+FMB_INLINE void packed_lengths(int dim, const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
+                               fmb_distance_lanes *distances)
 {
     _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
     const size_t ahead = PACKED_AHEAD * FMB_LANES - FMB_LANES;
@@ -176,18 +178,23 @@ FMB_INLINE void packed_contacts(int dim, const fmb_packed_pairs *x, fmb_contact_
         pack_records(dim, true, at[0][(i - ahead) / FMB_LANES % PACKED_AHEAD], a);
         pack_records(dim, true, at[1][(i - ahead) / FMB_LANES % PACKED_AHEAD], b);
         pack_block(dim, true, a, b, block);
-        (dim == 2 ? contact_ask_2d : contact_ask_3d)(x->kind, block, out++);
+        if (contacts)
+            (dim == 2 ? contact_ask_2d : contact_ask_3d)(x->kind, block, contacts++);
+        else
+            (dim == 2 ? distance_ask_2d : distance_ask_3d)(x->kind, block, distances++);
     }
 }
 
-static void packed_contacts_2d(const fmb_packed_pairs *x, fmb_contact_lanes *out)
+static void packed_lengths_2d(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
+                              fmb_distance_lanes *distances)
 {
-    packed_contacts(2, x, out);
+    packed_lengths(2, x, contacts, distances);
 }
 
-static void packed_contacts_3d(const fmb_packed_pairs *x, fmb_contact_lanes *out)
+static void packed_lengths_3d(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
+                              fmb_distance_lanes *distances)
 {
-    packed_contacts(3, x, out);
+    packed_lengths(3, x, contacts, distances);
 }
 
 /* ---- one against many ------------------------------------------------------------------------ */
@@ -383,7 +390,8 @@ static void packed_largest(const uint32_t *index, size_t n, uint32_t out[2])
 extern const fmb_packed FMB_PACKED_TABLE;
 const fmb_packed FMB_PACKED_TABLE = {.flat = {packed_ask_any_2d, packed_ask_any_3d},
                                      .contact = {contact_ask_2d, contact_ask_3d},
-                                     .contacts = {packed_contacts_2d, packed_contacts_3d},
+                                     .lengths = {packed_lengths_2d, packed_lengths_3d},
+                                     .distance = {distance_ask_2d, distance_ask_3d},
                                      .pairs = {packed_pairs_2d, packed_pairs_3d},
                                      .tiles = {packed_tiles_2d, packed_tiles_3d},
                                      .row = {packed_row_2d, packed_row_3d},

@@ -58,7 +58,7 @@ FMB_INLINE void flat_load_side(int dim, const fmb_flat_side *s, const double *ro
     }
 }
 
-FMB_INLINE void flat_load(int dim, const fmb_flat_kind *k, const double *block, flat_pair *p)
+FMB_INLINE void flat_load_of(int dim, const fmb_flat_kind *k, const double *block, flat_pair *p)
 {
     const double *a = block + dim * FMB_LANES, *b = a + dim * dim * FMB_LANES;
     const double *drift = b + dim * dim * FMB_LANES;
@@ -78,6 +78,22 @@ FMB_INLINE void flat_load(int dim, const fmb_flat_kind *k, const double *block, 
             p->direction[FMB_FLAT_WORLD + i][j] = lane_of(i == j);
         p->size[FMB_FLAT_WORLD + i] = lane_of(1);
     }
+}
+
+/* Called from many kernels, as it is long. */
+static FMB_NEVER_CLONED void flat_load_2d(const fmb_flat_kind *k, const double *block, flat_pair *p)
+{
+    flat_load_of(2, k, block, p);
+}
+
+static FMB_NEVER_CLONED void flat_load_3d(const fmb_flat_kind *k, const double *block, flat_pair *p)
+{
+    flat_load_of(3, k, block, p);
+}
+
+FMB_INLINE void flat_load(int dim, const fmb_flat_kind *k, const double *block, flat_pair *p)
+{
+    (dim == 2 ? flat_load_2d : flat_load_3d)(k, block, p);
 }
 
 /* What one side spans on the normal n. */
