@@ -29,14 +29,30 @@ static fmb_status answer_contact_as_frames(const contacts_query *x, fmb_frames_p
     return fmb_contact_answer_all(x->k, 1, &p, &q, out);
 }
 
+/* A length and a direction, where they are asked for. */
+static void write_length(int dim, const double *length,
+                         const double (*normal)[FMB_BLOCK_MOST_LANES], int lane, size_t i,
+                         double *to, const fmb_pair_answers *out)
+{
+    if (to)
+        to[i] = length[lane];
+    for (int j = 0; out->normal && j < dim; j++)
+        out->normal[i * (size_t)dim + (size_t)j] = normal[j][lane];
+}
+
 /* Pair i of out, which meets, by a lane of an answer. */
 static fmb_status write_contact(const contacts_query *x, fmb_frames_pair pair,
                                 const fmb_contact_lanes *from, int lane, size_t i,
                                 const fmb_pair_answers *out)
 {
-    fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+    bool good = from->good >> lane & 1;
     double normal[3];
-    if (!(from->good >> lane & 1))
+    if (good && !out->faces && !out->points && !out->npoints) {
+        write_length(x->k->dim, from->depth, from->normal, lane, i, out->depth, out);
+        return FMB_OK;
+    }
+    fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+    if (!good)
         return answer_contact_as_frames(x, pair, &one);
     for (int j = 0; j < x->k->dim; j++)
         normal[j] = from->normal[j][lane];
@@ -50,10 +66,14 @@ static fmb_status write_distance(const contacts_query *x, fmb_frames_pair pair,
                                  const fmb_distance_lanes *from, int lane, size_t i,
                                  const fmb_pair_answers *out)
 {
+    bool good = from->good >> lane & 1;
+    if (good && !out->nearest && !out->offset) {
+        write_length(x->k->dim, from->distance, from->normal, lane, i, out->distance, out);
+        return FMB_OK;
+    }
     fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
     fmb_frame p = fmb_frames_at(x->a, pair.a), q = fmb_frames_at(x->b, pair.b);
     fmb_pair_near near;
-    bool good = from->good >> lane & 1;
     if (good)
         fmb_contact_read_distance(&p, &q, from, lane, out->offset != NULL, &near);
     return fmb_contact_answer_apart(x->k, &p, &q, good ? &near : NULL, &one);
