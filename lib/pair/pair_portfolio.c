@@ -407,13 +407,58 @@ static void forget_waiting_pairs(fmb_pair *k)
 /* Pairs between two looks at a cancel; those that take long look themselves. */
 enum { PAIRS_AT_ONCE = 256 };
 
-/* Pairs from `from` up to but without `to`. */
+/* Are both frames of pair i by edges, still, with all axes, and of the shapes of pair `first`? */
+static bool is_plain_pair(const query *a, size_t first, size_t i)
+{
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    int dim = a->k->dim;
+    int differ = (p->dim ^ dim) | (q->dim ^ dim) | (p->naxes ^ dim) | (q->naxes ^ dim) |
+                 (int)(p->shape ^ a->p[first].shape) | (int)(q->shape ^ a->q[first].shape);
+    return differ == 0 && p->origin && p->axes && !p->speed && q->origin && q->axes && !q->speed;
+}
+
+/* Do the next pairs fill a block, all of them plain and of one kind? */
+static bool is_plain_block(const query *a, size_t from, size_t to)
+{
+    const size_t width = (size_t)a->kernels->width;
+    size_t n = 0;
+    if (to - from < width ||
+        ((unsigned)a->p[from].shape | (unsigned)a->q[from].shape) > FMB_SIMPLEX)
+        return false;
+    while (n < width && is_plain_pair(a, from, from + n))
+        n++;
+    return n == width;
+}
+
+/* A block of plain pairs, whose verdicts alone are asked. */
+static fmb_status answer_plain_block(const query *a, size_t from)
+{
+    const fmb_frame *p = &a->p[from], *q = &a->q[from];
+    bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
+    fmb_block b;
+    b.lanes = a->kernels->width;
+    for (int lane = 0; lane < b.lanes; lane++)
+        b.pair[lane] = from + (size_t)lane;
+    a->kernels->packed->load[a->k->dim - 2](swap ? q : p, swap ? p : q, b.number);
+    return flush_verdicts(a, &b, 2 * (int)p->shape + (int)q->shape);
+}
+
+/* Pairs from `from` up to but without `to`. Those of a block that is not plain go one after
+ * another: mixed pairs are seldom looked at twice. */
 static fmb_status answer_some(const query *a, size_t from, size_t to, size_t n)
 {
-    for (size_t i = from; i < to; i++) {
-        if (i + AHEAD < n)
-            prefetch_frames(&a->p[i + AHEAD], &a->q[i + AHEAD]);
-        FMB_TRY(answer_or_wait(a, i));
+    const size_t width = (size_t)a->kernels->width;
+    const bool blocks = !a->boxes && (a->k->dim == 2 || a->k->dim == 3) &&
+                        a->k->options.method != FMB_PAIR_EXACT && fmb_way(FMB_WAY_PAIR_KERNELS);
+    for (size_t i = from, end; i < to; i = end) {
+        end = to - i < width ? to : i + width;
+        for (size_t j = i + AHEAD; j < end + AHEAD && j < n; j++)
+            prefetch_frames(&a->p[j], &a->q[j]);
+        bool whole = blocks && is_plain_block(a, i, to);
+        if (whole)
+            FMB_TRY(answer_plain_block(a, i));
+        for (size_t j = i; !whole && j < end; j++)
+            FMB_TRY(answer_or_wait(a, j));
     }
     return FMB_OK;
 }

@@ -90,6 +90,9 @@ typedef struct fmb_packed {
                        fmb_distance_lanes *distances);
     /* Are all verdicts known? */
     bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out);
+    /* The rows of a block of as many pairs as there are lanes, which stand still and have all axes.
+     */
+    void (*load[2])(const fmb_frame *a, const fmb_frame *b, double *block);
     /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */
     void (*tiles[2])(const double *record, const uint32_t *index, size_t n, double *tiles);
     void (*row[2])(const fmb_packed_row *x, fmb_packed_bits *out);

@@ -44,6 +44,22 @@ FMB_INLINE void transpose_four(const double *const *from, int r, lane out[4])
 #endif
 }
 
+/* The first n numbers of FMB_LANES records, n constant, and 9 at most. */
+FMB_INLINE void transpose_some(const double *const *from, int n, lane *out)
+{
+#pragma GCC unroll 2
+    for (int r = 0; r + 4 <= n; r += 4)
+        transpose_four(from, r, out + r);
+#pragma GCC unroll 4
+    for (int r = n / 4 * 4; r < n; r++) {
+        double one[FMB_LANES];
+#pragma GCC unroll 8
+        for (int l = 0; l < FMB_LANES; l++)
+            one[l] = from[l][r];
+        out[r] = lane_load(one);
+    }
+}
+
 /* x, y and z of FMB_LANES points of space, numbers of which stand in a row in `from`. */
 FMB_INLINE void transpose_points(const lane from[3], lane out[3])
 {

@@ -197,6 +197,40 @@ static void packed_lengths_3d(const fmb_packed_pairs *x, fmb_contact_lanes *cont
     packed_lengths(3, x, contacts, distances);
 }
 
+/* ---- frames by pointers ---------------------------------------------------------------------- */
+
+FMB_INLINE void packed_load(int dim, const fmb_frame *a, const fmb_frame *b, double *block)
+{
+    const double *place[2][FMB_LANES], *axes[2][FMB_LANES];
+    lane origin[2][3], of[9];
+#pragma GCC unroll 8
+    for (int l = 0; l < FMB_LANES; l++) {
+        place[0][l] = a[l].origin;
+        place[1][l] = b[l].origin;
+        axes[0][l] = a[l].axes;
+        axes[1][l] = b[l].axes;
+    }
+    for (int side = 0; side < 2; side++) {
+        transpose_some(place[side], dim, origin[side]);
+        transpose_some(axes[side], dim * dim, of);
+#pragma GCC unroll 9
+        for (int r = 0; r < dim * dim; r++)
+            lane_store(block + (dim + side * dim * dim + r) * FMB_LANES, of[r]);
+    }
+    for (int j = 0; j < dim; j++)
+        lane_store(block + j * FMB_LANES, origin[1][j] - origin[0][j]);
+}
+
+static void packed_load_2d(const fmb_frame *a, const fmb_frame *b, double *block)
+{
+    packed_load(2, a, b, block);
+}
+
+static void packed_load_3d(const fmb_frame *a, const fmb_frame *b, double *block)
+{
+    packed_load(3, a, b, block);
+}
+
 /* ---- one against many ------------------------------------------------------------------------ */
 
 /* Tiles of FMB_LANES frames: all rows of their records, lane by lane. */
@@ -393,6 +427,7 @@ const fmb_packed FMB_PACKED_TABLE = {.flat = {packed_ask_any_2d, packed_ask_any_
                                      .lengths = {packed_lengths_2d, packed_lengths_3d},
                                      .distance = {distance_ask_2d, distance_ask_3d},
                                      .pairs = {packed_pairs_2d, packed_pairs_3d},
+                                     .load = {packed_load_2d, packed_load_3d},
                                      .tiles = {packed_tiles_2d, packed_tiles_3d},
                                      .row = {packed_row_2d, packed_row_3d},
                                      .largest = packed_largest,
