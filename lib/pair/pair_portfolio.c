@@ -295,12 +295,17 @@ static bool has_all_axes(const fmb_frame *f, int dim)
 /* Frames that are soon put into blocks: their numbers may still be far from the processor. */
 enum { AHEAD = 12 };
 
+/* Two lines of the cache. The second address is a number, as the axes may be few, or missing. */
+static void prefetch_axes(const fmb_frame *f)
+{
+    __builtin_prefetch(f->axes);
+    __builtin_prefetch((const void *)((uintptr_t)f->axes + 64));
+}
+
 static void prefetch_frames(const fmb_frame *p, const fmb_frame *q)
 {
-    __builtin_prefetch(p->axes);
-    __builtin_prefetch(p->axes + 8);
-    __builtin_prefetch(q->axes);
-    __builtin_prefetch(q->axes + 8);
+    prefetch_axes(p);
+    prefetch_axes(q);
 }
 
 static fmb_status answer_or_wait(const query *a, size_t i)
