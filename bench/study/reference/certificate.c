@@ -49,12 +49,12 @@ void study_form_clear(study_form *f)
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
-/* x = *whole 2^*exponent, whole odd or 0. */
-static void split(double x, long long *whole, int *exponent)
+/* x = *whole 2^*exponent, *whole odd or 0. */
+static void split(double x, double *whole, int *exponent)
 {
-    *whole = (long long)ldexp(frexp(x, exponent), DBL_MANT_DIG);
+    *whole = ldexp(frexp(x, exponent), DBL_MANT_DIG);
     *exponent -= DBL_MANT_DIG;
-    while (*whole != 0 && *whole % 2 == 0) {
+    while (*whole != 0 && fmod(*whole, 2) == 0) {
         *whole /= 2;
         ++*exponent;
     }
@@ -62,7 +62,7 @@ static void split(double x, long long *whole, int *exponent)
 
 static void lower_unit(double x, int *unit)
 {
-    long long whole;
+    double whole;
     int exponent;
     split(x, &whole, &exponent);
     if (whole != 0 && exponent < *unit)
@@ -72,10 +72,10 @@ static void lower_unit(double x, int *unit)
 /* x / 2^unit, which is whole. */
 static void set_whole(mpz_t out, double x, int unit)
 {
-    long long whole;
+    double whole;
     int exponent;
     split(x, &whole, &exponent);
-    mpz_set_si(out, (long)whole);
+    mpz_set_d(out, whole);
     if (whole != 0)
         mpz_mul_2exp(out, out, (mp_bitcnt_t)(exponent - unit));
 }
@@ -254,12 +254,13 @@ void study_form_of_unknown(study_form *f, const study_meeting *s, int j, int sig
 /* The sign of (value / n) 2^unit - x, n > 0. */
 static int compare_to_double(study_meeting *s, const mpz_t value, const mpz_t n, int unit, double x)
 {
-    long long whole;
+    double whole;
     int exponent;
     if (isinf(x))
         return x > 0 ? -1 : 1;
     split(x, &whole, &exponent);
-    mpz_mul_si(s->part, n, (long)whole);
+    mpz_set_d(s->part, whole);
+    mpz_mul(s->part, s->part, n);
     mpz_set(s->most, value);
     if (whole != 0 && exponent > unit)
         mpz_mul_2exp(s->part, s->part, (mp_bitcnt_t)(exponent - unit));

@@ -153,7 +153,7 @@ static bool solve_for_point(study_proposer *w, const study_meeting *s, const dou
     mpz_t *entry = &w->scale;
     for (int j = 0; j < g->columns; j++)
         if (!g->is_pivot[j])
-            mpz_set_si(w->z[j], lrint(ldexp(at[j], BITS)));
+            mpz_set_d(w->z[j], rint(ldexp(at[j], BITS)));
     for (int i = 0; i < g->rows; i++) {
         mpz_t *right = &w->a[i][g->rows];
         mpz_set_ui(*right, 1);
@@ -203,7 +203,7 @@ static void set_direction(study_proposer *w, const study_meeting *s, const doubl
             least = exponent[i];
     }
     for (int i = 0; i < s->dim; i++) {
-        mpz_set_si(w->y[i], (long)ldexp(part[i], DBL_MANT_DIG));
+        mpz_set_d(w->y[i], ldexp(part[i], DBL_MANT_DIG));
         if (part[i] != 0)
             mpz_mul_2exp(w->y[i], w->y[i], (mp_bitcnt_t)(exponent[i] - least));
     }
