@@ -18,6 +18,7 @@ validate, fmb, qualify = sys.argv[1:]
 # Where tests run as root in a container of few cores; leaks that a sanitizer finds are MPI's own.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+               "OMPI_MCA_mpi_yield_when_idle": "1",  # other tests run beside
                "ASAN_OPTIONS": "detect_leaks=0"}
 faults = []
 
