@@ -90,8 +90,12 @@ static void load_real_row(fmb_scaled_program *f, size_t i)
     int e = 0;
     if (row->value->z)
         e = load_wide_terms(f, row, value);
-    for (size_t k = 0; !row->value->z && k < row->size; k++)
-        value[k] = ldexp((double)row->value->s[k], -f->column_exponent[row->column[k]]);
+    for (size_t k = 0; !row->value->z && k < row->size; k++) {
+        int of_column = f->column_exponent[row->column[k]];
+        value[k] = (double)row->value->s[k];
+        if (of_column != 0) /* which is seldom, and a call takes longer than all else */
+            value[k] = ldexp(value[k], -of_column);
+    }
     f->exponent[i] = divide_by_largest(f, i, e);
     f->right[i] = right_side_divided(row, f->exponent[i]);
     f->off[i] = row->off;
