@@ -153,7 +153,7 @@ static bool solve_for_point(study_proposer *w, const study_meeting *s, const dou
     mpz_t *entry = &w->scale;
     for (int j = 0; j < g->columns; j++)
         if (!g->is_pivot[j])
-            mpz_set_d(w->z[j], rint(ldexp(at[j], BITS)));
+            mpz_set_d(w->z[j], isfinite(at[j]) ? rint(ldexp(at[j], BITS)) : 0);
     for (int i = 0; i < g->rows; i++) {
         mpz_t *right = &w->a[i][g->rows];
         mpz_set_ui(*right, 1);
