@@ -7,9 +7,10 @@
 #include <stdlib.h>
 
 #include "pair/general/workspace.h"
+#include "study/reference/equations.h"
 
 enum {
-    ROWS = STUDY_PAIR_MOST_DIM + 2,
+    ROWS = STUDY_EQUATIONS_MOST,
     COLUMNS = STUDY_MEETING_MOST_COLUMNS + 2,
     POINTS = 2 * COLUMNS,
     BITS = 62 /* of unknowns that are set, below the point */
@@ -21,8 +22,7 @@ enum {
 struct study_proposer {
     fmb_mem mem;
     fmb_general *g;
-    mpz_t a[ROWS][ROWS + 1];             /* equations */
-    mpz_t x[ROWS], divisor;              /* and their solution x / divisor */
+    study_equations e;
     mpz_t z[COLUMNS], y[ROWS], scale;    /* a point z / scale; prices or a direction */
     mpz_t entry[COLUMNS], gain[COLUMNS]; /* of a step: a row of the basis, what columns bring */
     /* common points of the pair at hand, z and scale: where an end is */
@@ -34,17 +34,15 @@ struct study_proposer {
 
 static void init_numbers(study_proposer *w)
 {
-    for (int i = 0; i < ROWS; i++) {
-        for (int j = 0; j <= ROWS; j++)
-            mpz_init(w->a[i][j]);
-        mpz_inits(w->x[i], w->y[i], NULL);
-    }
+    study_equations_init(&w->e);
+    for (int i = 0; i < ROWS; i++)
+        mpz_init(w->y[i]);
     for (int j = 0; j < COLUMNS; j++)
         mpz_inits(w->z[j], w->entry[j], w->gain[j], NULL);
     for (int k = 0; k < POINTS; k++)
         for (int j = 0; j <= COLUMNS; j++)
             mpz_init(w->known[k][j]);
-    mpz_inits(w->divisor, w->scale, NULL);
+    mpz_init(w->scale);
 }
 
 study_proposer *study_proposer_open(int dim)
@@ -65,71 +63,21 @@ void study_proposer_close(study_proposer *w)
 {
     if (!w)
         return;
-    for (int i = 0; i < ROWS; i++) {
-        for (int j = 0; j <= ROWS; j++)
-            mpz_clear(w->a[i][j]);
-        mpz_clears(w->x[i], w->y[i], NULL);
-    }
+    study_equations_clear(&w->e);
+    for (int i = 0; i < ROWS; i++)
+        mpz_clear(w->y[i]);
     for (int j = 0; j < COLUMNS; j++)
         mpz_clears(w->z[j], w->entry[j], w->gain[j], NULL);
     for (int k = 0; k < POINTS; k++)
         for (int j = 0; j <= COLUMNS; j++)
             mpz_clear(w->known[k][j]);
-    mpz_clears(w->divisor, w->scale, NULL);
+    mpz_clear(w->scale);
     fmb_general_free(w->g, &w->mem);
     free(w);
 }
 
-/* ---- equations in whole numbers -------------------------------------------------------------- */
-
-/* A row from k on whose entry of column k is the shortest but 0 comes to place k; false if there is
- * none. */
-static bool take_pivot(study_proposer *w, int n, int k)
-{
-    int best = -1;
-    for (int i = k; i < n; i++)
-        if (mpz_sgn(w->a[i][k]) != 0 &&
-            (best < 0 || mpz_size(w->a[i][k]) < mpz_size(w->a[best][k])))
-            best = i;
-    for (int j = k; best > k && j <= n; j++)
-        mpz_swap(w->a[k][j], w->a[best][j]);
-    return best >= 0;
-}
-
-/* Row i less its multiple of row k, without fractions. */
-static void eliminate(study_proposer *w, int n, int i, int k)
-{
-    for (int j = k + 1; j <= n; j++) {
-        mpz_mul(w->a[i][j], w->a[i][j], w->a[k][k]);
-        mpz_submul(w->a[i][j], w->a[i][k], w->a[k][j]);
-        if (k > 0)
-            mpz_divexact(w->a[i][j], w->a[i][j], w->a[k - 1][k - 1]);
-    }
-}
-
-/* x / divisor solves the n equations a[i][0] x_0 + ... = a[i][n], divisor > 0; false if they are
- * dependent. The method is that of Bareiss (Mathematics of Computation 22, 1968): all that is left
- * are minors. */
-static bool solve(study_proposer *w, int n)
-{
-    for (int k = 0; k < n; k++) {
-        if (!take_pivot(w, n, k))
-            return false;
-        for (int i = k + 1; i < n; i++)
-            eliminate(w, n, i, k);
-    }
-    mpz_set(w->divisor, w->a[n - 1][n - 1]);
-    for (int i = n - 1; i >= 0; i--) {
-        mpz_mul(w->x[i], w->divisor, w->a[i][n]);
-        for (int j = i + 1; j < n; j++)
-            mpz_submul(w->x[i], w->a[i][j], w->x[j]);
-        mpz_divexact(w->x[i], w->x[i], w->a[i][i]);
-    }
-    for (int i = 0; mpz_sgn(w->divisor) < 0 && i < n; i++)
-        mpz_neg(w->x[i], w->x[i]);
-    mpz_abs(w->divisor, w->divisor);
-    return true;
-}
+/* ---- programs in whole numbers -----------------------------------------------------------------
+ */
 
 /* Entry (i, j) of the program in doubles: M with slacks, and the row of the sum of each simplex,
  * which has nothing but 0 and 1. */
@@ -155,7 +103,7 @@ static bool solve_for_point(study_proposer *w, const study_meeting *s, const dou
         if (!g->is_pivot[j])
             mpz_set_d(w->z[j], isfinite(at[j]) ? rint(ldexp(at[j], BITS)) : 0);
     for (int i = 0; i < g->rows; i++) {
-        mpz_t *right = &w->a[i][g->rows];
+        mpz_t *right = &w->e.a[i][g->rows];
         mpz_set_ui(*right, 1);
         mpz_mul_2exp(*right, i < s->dim ? s->h[i] : *right, BITS);
         for (int j = 0; j < g->columns; j++)
@@ -164,16 +112,16 @@ static bool solve_for_point(study_proposer *w, const study_meeting *s, const dou
                 mpz_submul(*right, *entry, w->z[j]);
             }
         for (int k = 0; k < g->rows; k++)
-            set_entry(w->a[i][k], w, s, i, g->pivot[k]);
+            set_entry(w->e.a[i][k], w, s, i, g->pivot[k]);
     }
-    if (!solve(w, g->rows))
+    if (!study_equations_solve(&w->e, g->rows))
         return false;
     for (int j = 0; j < g->columns; j++)
         if (!g->is_pivot[j])
-            mpz_mul(w->z[j], w->z[j], w->divisor);
+            mpz_mul(w->z[j], w->z[j], w->e.divisor);
     for (int k = 0; k < g->rows; k++)
-        mpz_set(w->z[g->pivot[k]], w->x[k]);
-    mpz_mul_2exp(w->scale, w->divisor, BITS);
+        mpz_set(w->z[g->pivot[k]], w->e.x[k]);
+    mpz_mul_2exp(w->scale, w->e.divisor, BITS);
     return true;
 }
 
@@ -209,17 +157,17 @@ static void set_direction(study_proposer *w, const study_meeting *s, const doubl
     }
 }
 
-/* y / divisor: prices of the rows that make each pivot worth w->a[its place][rows]. */
+/* y / divisor: prices of the rows that make each pivot worth w->e.a[its place][rows]. */
 static bool solve_for_prices(study_proposer *w, const study_meeting *s)
 {
     const fmb_general_system *g = &w->g->program;
     for (int k = 0; k < g->rows; k++)
         for (int i = 0; i < g->rows; i++)
-            set_entry(w->a[k][i], w, s, i, g->pivot[k]);
-    if (!solve(w, g->rows))
+            set_entry(w->e.a[k][i], w, s, i, g->pivot[k]);
+    if (!study_equations_solve(&w->e, g->rows))
         return false;
     for (int i = 0; i < s->dim; i++)
-        mpz_set(w->y[i], w->x[i]);
+        mpz_set(w->y[i], w->e.x[i]);
     return true;
 }
 
@@ -247,7 +195,7 @@ static bool prove_by_edge(study_proposer *w, study_meeting *s, int pivot, fmb_ve
 {
     const int rows = w->g->program.rows;
     for (int k = 0; k < rows; k++)
-        mpz_set_ui(w->a[k][rows], k == pivot);
+        mpz_set_ui(w->e.a[k][rows], k == pivot);
     return solve_for_prices(w, s) && prove_by_direction(w, s, verdict);
 }
 
@@ -279,7 +227,7 @@ static void multiply_by_columns(study_proposer *w, const study_meeting *s, mpz_t
         mpz_set_ui(out[j], 0);
         for (int i = 0; i < g->rows; i++) {
             set_entry(w->scale, w, s, i, j);
-            mpz_addmul(out[j], w->scale, w->x[i]);
+            mpz_addmul(out[j], w->scale, w->e.x[i]);
         }
     }
 }
@@ -290,9 +238,9 @@ static bool solve_for_form(study_proposer *w, const study_meeting *s, const stud
     const fmb_general_system *g = &w->g->program;
     for (int k = 0; k < g->rows; k++)
         if (g->pivot[k] < s->columns)
-            mpz_set(w->a[k][g->rows], f->w[g->pivot[k]]);
+            mpz_set(w->e.a[k][g->rows], f->w[g->pivot[k]]);
         else
-            mpz_set_ui(w->a[k][g->rows], 0);
+            mpz_set_ui(w->e.a[k][g->rows], 0);
     return solve_for_prices(w, s);
 }
 
@@ -303,7 +251,7 @@ static void find_gains(study_proposer *w, const study_meeting *s, const study_fo
     for (int j = 0; j < w->g->program.columns; j++) {
         mpz_neg(w->gain[j], w->gain[j]);
         if (j < s->columns)
-            mpz_addmul(w->gain[j], f->w[j], w->divisor);
+            mpz_addmul(w->gain[j], f->w[j], w->e.divisor);
     }
 }
 
@@ -332,9 +280,9 @@ static int find_coming_column(study_proposer *w, bool high)
             continue;
         if (best >= 0) {
             mpz_mul(w->scale, w->gain[j], w->entry[best]);
-            mpz_mul(w->divisor, w->gain[best], w->entry[j]);
+            mpz_mul(w->e.divisor, w->gain[best], w->entry[j]);
         }
-        if (best < 0 || mpz_cmpabs(w->scale, w->divisor) < 0)
+        if (best < 0 || mpz_cmpabs(w->scale, w->e.divisor) < 0)
             best = j;
     }
     return best;
@@ -345,7 +293,7 @@ static bool step_into_range(study_proposer *w, const study_meeting *s, int place
 {
     fmb_general_system *g = &w->g->program;
     for (int k = 0; k < g->rows; k++)
-        mpz_set_ui(w->a[k][g->rows], k == place);
+        mpz_set_ui(w->e.a[k][g->rows], k == place);
     if (!solve_for_prices(w, s))
         return false;
     multiply_by_columns(w, s, w->entry);
@@ -547,6 +495,6 @@ bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, d
         return false;
     for (int k = w->points; !proved && k-- > 0;)
         proved =
-            study_meeting_has_end(s, f, w->known[k], w->known[k][COLUMNS], w->y, w->divisor, end);
+            study_meeting_has_end(s, f, w->known[k], w->known[k][COLUMNS], w->y, w->e.divisor, end);
     return proved;
 }
