@@ -7,8 +7,9 @@
  * those of fmb_pair_test (<fmb/pair.h>), which decides what doubles leave open.
  *
  * There are kernels for all frames with edges that are doubles in two and three dimensions, and, by
- * edges with all their axes, for two cuboids in four to eight (moving: to seven) and for two
- * simplices in four to six, still or moving, if they are neither so flat that one of their corners
+ * edges with all their axes, for two cuboids in four to eight (moving: to seven), for two simplices
+ * in four to six, still or moving, and for one of each in four to six (moving: to five), if they
+ * are neither so flat that one of their corners
  * is less than about 1e-9 of their size away from the plane of the others, nor larger than
  * 1e90 or smaller than 1e-90. All other frames are asked one pair at a time.
  *

@@ -32,30 +32,43 @@ static inline int fmb_minors_record(int dim)
 /* Numbers of the room for the minors of two views that the next level wants. With n columns and
  * levels up to K (minors_kernel.h), still, moving or of simplices, a view's are the sum over
  * 1 < k <= K of choose(rows, k) choose(n, k), of simplices with words for their signs and one lane
- * more. */
+ * more. Of one of each a single view needs room. */
 static inline size_t fmb_minors_room(int dim)
 {
     static const size_t lanes[FMB_MINORS_DIMS] = {170, 1120, 2828, 2548, 3920};
     return 2 * FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
 }
 
-/* What is known to stand in records: 2 for simplices, and 1 if any moves. */
+/* What is known to stand in records: 2 for simplices, 4 for one of each, the cuboid first, and 1 if
+ * any moves. */
 typedef enum fmb_minors_what {
     FMB_MINORS_STILL,
     FMB_MINORS_MOVING,
     FMB_MINORS_SIMPLICES,
     FMB_MINORS_MOVING_SIMPLICES,
+    FMB_MINORS_MIXED,
+    FMB_MINORS_MOVING_MIXED,
     FMB_MINORS_WHATS
 } fmb_minors_what;
 
-/* [what][D - 4]; NULL where no kernel decides. Of packed pairs and rows neither shapes nor kinds
- * are looked at. room: fmb_minors_room(D) numbers, aligned to 64 bytes. */
+/* Is there a kernel? */
+static inline bool fmb_minors_decide(int dim, fmb_minors_what what)
+{
+    const int moves = (int)what % 2;
+    const int most = what < FMB_MINORS_SIMPLICES ? 8 - moves
+                     : what < FMB_MINORS_MIXED   ? 6
+                                                 : 6 - moves;
+    return fmb_minors_is_dim(dim) && dim <= most;
+}
+
+/* Of packed pairs and rows neither shapes nor kinds are looked at. room: fmb_minors_room(dim)
+ * numbers, aligned to 64 bytes. */
 typedef struct fmb_minor_kernels {
-    bool (*pairs[FMB_MINORS_WHATS][FMB_MINORS_DIMS])(const fmb_packed_pairs *x, double *room,
-                                                     fmb_verdict *out);
+    bool (*pairs)(int dim, fmb_minors_what what, const fmb_packed_pairs *x, double *room,
+                  fmb_verdict *out);
     void (*tiles)(int dim, const double *record, const uint32_t *index, size_t n, double *tiles);
-    void (*row[FMB_MINORS_WHATS][FMB_MINORS_DIMS])(const fmb_packed_row *x, double *room,
-                                                   fmb_packed_bits *out);
+    void (*row)(int dim, fmb_minors_what what, const fmb_packed_row *x, double *room,
+                fmb_packed_bits *out);
 } fmb_minor_kernels;
 
 extern const fmb_minor_kernels fmb_minors_narrow, fmb_minors_avx2, fmb_minors_avx512;

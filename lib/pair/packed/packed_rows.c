@@ -120,7 +120,7 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
                                     .shapes = plan.shapes,
                                     .kind = &plan.flat};
         if (k->dim > 3)
-            k->wide->minors->row[plan.what][k->dim - FMB_MINORS_LEAST_DIM](&row, k->room, out + g);
+            k->wide->minors->row(k->dim, plan.what, &row, k->room, out + g);
         else
             k->wide->packed->row[k->dim - 2](&row, out + g);
     }

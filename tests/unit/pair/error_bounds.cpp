@@ -185,12 +185,14 @@ static void count_point(minors_kind d, const lane *a, const lane *b, lane size)
 }
 
 /* Records of frames of one size; inverses are off as packed/inverse.h has it. */
-static void count_minors(int dim, bool moves, bool simplices)
+static void count_minors(int dim, int what)
 {
+    static const char *const name[3] = {"minors", "minors of simplices", "minors of one of each"};
+    const bool moves = what % 2 == 1, simplices = what / 2 == 1;
     static lane record[2][200], room[8600];
     const int inverse = dim * (dim + 2), reach = 2 * dim * (dim + 1), speed = dim * (dim + 1);
     const double size = some_size();
-    kernel = flavour(simplices ? "minors of simplices" : "minors", dim, moves);
+    kernel = flavour(name[what / 2], dim, moves);
     for (int side = 0; side < 2; side++) {
         lane *x = record[side];
         for (int j = 0; j < dim; j++) { /* rounded differences of the two are of this size */
@@ -205,13 +207,13 @@ static void count_minors(int dim, bool moves, bool simplices)
         x[dim * (2 * dim + 3)] = {size, 0};
         x[dim * (2 * dim + 3) + 1] = x[dim * (2 * dim + 3) + 2] = lane_of(0);
     }
-    const minors_kind d = {dim, dim + simplices + moves, simplices, moves};
+    const minors_kind d = minors_kind_of(dim, what);
     minors_said said = minors_silent();
     (void)minors_ask(d, MINORS_AT_0, record[0], record[1], (double *)room, &said);
     if (moves && simplices)
         (void)minors_ask(d, MINORS_AT_1, record[0], record[1], (double *)room, &said);
     if (!simplices)
-        count_point(d, record[0], record[1], {size, 0});
+        count_point(minors_side(d, 0), record[0], record[1], {size, 0});
 }
 
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */
@@ -691,15 +693,10 @@ int main()
     }
     for (int i = 0; i < 40; i++) {
         counted_fused = i & 1;
-        for (int dim = 4; dim <= 8; dim++) {
-            count_minors(dim, false, false);
-            if (dim < 8)
-                count_minors(dim, true, false);
-            if (dim < 7) {
-                count_minors(dim, false, true);
-                count_minors(dim, true, true);
-            }
-        }
+        for (int dim = 4; dim <= 8; dim++)
+            for (int what = 0; what < FMB_MINORS_WHATS; what++)
+                if (fmb_minors_decide(dim, static_cast<fmb_minors_what>(what)))
+                    count_minors(dim, what);
     }
     for (int i = 0; i < 4000; i++)
         count_contact();

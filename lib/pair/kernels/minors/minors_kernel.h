@@ -1,4 +1,5 @@
-/* minors_kernel.h: do two cuboids of four to eight dimensions meet?
+/* minors_kernel.h: do two cuboids of four to eight dimensions meet? (Others: minors_signs.h,
+ * minors_mixed.h.)
  *
  * In coordinates z of A's frame, A is |z_r| <= 1, and B, with all its places from t = 0 to 1, is
  * center + sum x_j g_j, |x_j| <= 1, over its D edges and, if it moves, the drift: n columns in all.
@@ -27,6 +28,7 @@
 #ifndef FMB_PAIR_MINORS_KERNEL_H
 #define FMB_PAIR_MINORS_KERNEL_H
 
+#include "pair/kernels/minors/minors_mixed.h"
 #include "pair/kernels/minors/minors_point.h"
 #include "pair/kernels/minors/minors_signs.h"
 #include "pair/kernels/minors/minors_whole.h"
@@ -35,12 +37,18 @@
 FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
 {
     const lane error = lane_of(minors_error(d, 0) * 0x1p-53);
-    for (int r = 0; r < d.dim; r++) {
-        lane reach = v->unit;
+    for (int r = 0; r < minors_count_rows(d); r++) {
+        lane reach = v->unit, away = v->center[r];
 #pragma GCC unroll 8
-        for (int j = 0; j < d.n; j++)
+        for (int j = d.from_cuboid ? d.dim : 0; j < d.n; j++)
             reach = reach + (v->size[r * d.n + j] = lane_abs(v->e[r * d.n + j]));
-        minors_hear(said, lane_abs(v->center[r]) - reach, error * v->g[r]);
+        if (d.from_simplex)
+            away = away - v->unit;
+        if (d.from_cuboid) {
+            const minors_span corners = minors_span_of_corners(d, v->e + r * d.n);
+            reach = reach + (corners.most - corners.least);
+        }
+        minors_hear(said, lane_abs(away) - reach, error * v->g[r]);
     }
 }
 
@@ -61,22 +69,28 @@ FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_pa
                            const minors_rows *rows, const lane *made)
 {
     const int first = part == MINORS_DRIFTED ? fmb_minors_choose(d.n - 1, k) : 0;
-    lane most = lane_of(-INFINITY), factor[4];
-#pragma GCC unroll 4
+    lane most = lane_of(-INFINITY), factor[5];
+#pragma GCC unroll 5
     for (int i = 0; i <= k; i++)
         factor[i] = v->center[rows->row[i]];
     MINORS_UNROLL
     for (int s = first; s < fmb_minors_choose(d.n, k); s++) {
-        lane away = lane_abs(minors_expand(k, factor, rows->less, s));
-        lane wide = minors_size_less(d, v, k, rows, 0, s);
+        lane away = minors_expand(k, factor, rows->less, s), wide;
         lane reach = minors_size(part, made, minors_with(k, s, 0));
+        if (d.from_simplex) {
+            const minors_span span = minors_span_of_row(k, rows, s);
+            away = lane_fnma(span.most + span.least, v->unit, away);
+            wide = span.most - span.least;
+        } else {
+            wide = minors_size_less(d, v, k, rows, 0, s);
 #pragma GCC unroll 4
-        for (int i = 1; i <= k; i++)
-            wide = wide + minors_size_less(d, v, k, rows, i, s);
+            for (int i = 1; i <= k; i++)
+                wide = wide + minors_size_less(d, v, k, rows, i, s);
+        }
 #pragma GCC unroll 8
         for (int j = 1; j < d.n - k; j++)
             reach = reach + minors_size(part, made, minors_with(k, s, j));
-        most = lane_max(most, away - lane_fma(wide, v->unit, reach));
+        most = lane_max(most, lane_abs(away) - lane_fma(wide, v->unit, reach));
     }
     return most;
 }
@@ -107,7 +121,7 @@ FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part p
     const int kept = part == MINORS_KEPT ? minors_stride(d, k + 1) : 0;
     const unsigned first = (2U << k) - 1, end = 1U << minors_count_rows(d);
     lane *made = v->to;
-    if (d.n == 4) {
+    if (d.n == 4 && d.dim == minors_count_rows(d)) {
 #pragma GCC unroll 16
         for (unsigned set = first; set < 16; set++)
             if (fmb_minors_count(set) == k + 1) {
@@ -136,20 +150,27 @@ FMB_INLINE void minors_look(minors_kind d, const lane *a, const lane *b, const l
                             const lane *drift, lane most, lane *room, minors_view *v)
 {
     const lane *inverse = a + d.dim * (d.dim + 2), *reach = a + 2 * d.dim * (d.dim + 1);
-#pragma GCC unroll 8
+    MINORS_UNROLL_ROWS
     for (int r = 0; r < d.dim; r++) {
         lane *e = v->e + r * d.n;
         lane sum = e[0] = minors_coordinate(d, inverse, r, b + d.dim);
 #pragma GCC unroll 8
         for (int j = 1; j < d.dim; j++)
             sum = sum + (e[j] = minors_coordinate(d, inverse, r, b + d.dim + d.dim * j));
+        if (d.from_cuboid) {
+            const minors_span corners = minors_span_of_corners(d, e);
+            sum = corners.most + corners.least;
+        }
         if (d.n > d.dim)
             sum = sum + (e[d.dim] = minors_coordinate(d, inverse, r, drift));
-        v->center[r] =
-            lane_fma(lane_of(2), minors_coordinate(d, inverse, r, shift), sum - lane_of(1));
+        if (!d.from_simplex)
+            sum = sum - lane_of(1);
+        v->center[r] = lane_fma(lane_of(2), minors_coordinate(d, inverse, r, shift), sum);
         v->g[r] = lane_max(lane_of(1), reach[r] * most);
     }
     v->unit = lane_of(1);
+    if (d.from_simplex)
+        minors_add_last_barycentric(d, v);
     v->from = v->e;
     v->to = room;
 }
@@ -181,6 +202,18 @@ FMB_INLINE minors_part minors_part_of(minors_kind d, int side, int k)
                                     : MINORS_LAST;
 }
 
+/* All rows but faces of one of each, seen from the simplex: minors_mixed.h. */
+FMB_INLINE void minors_levels_from_simplex(minors_kind d, minors_view *v, minors_said *said)
+{
+    const int last = d.dim - 2 + d.moves;
+#pragma GCC unroll 4
+    for (int k = 1; k <= last; k++) {
+        const minors_part part = k < last ? MINORS_KEPT : d.moves ? MINORS_DRIFTED : MINORS_LAST;
+        if (minors_level(d, v, k, part, said))
+            return;
+    }
+}
+
 /* All rows but faces. What both sides want is compiled once, where that is no loss: see
  * minors_level. */
 FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said)
@@ -208,7 +241,8 @@ typedef enum minors_asked {
     MINORS_POINT  /* is there a point in both? */
 } minors_asked;
 
-/* One of two from a side, in a room of its own. What faces say. */
+/* One of two from a side, in a room of its own. What faces say. Of one of each the view from the
+ * simplex alone goes on from there, and has all the room. */
 FMB_INLINE void minors_see(minors_kind d, minors_asked how, const lane *from, const lane *to,
                            lane *room, minors_view *v, minors_said *said)
 {
@@ -252,13 +286,17 @@ FMB_INLINE unsigned minors_ask(minors_kind d, minors_asked how, const lane *a, c
     const size_t half = fmb_minors_room(d.dim) / FMB_BLOCK_MOST_LANES / 2;
     minors_view v[2];
     minors_said said = {out->apart, out->meet, out->known};
-    minors_see(d, how, a, b, (lane *)room, &v[0], &said);
+    minors_see(minors_side(d, 0), how, a, b, (lane *)room, &v[0], &said);
     if (how == MINORS_POINT)
         return minors_find_point(d, &v[0]);
     if (!minors_is_over(d, how, &said))
-        minors_see(d, how, b, a, (lane *)room + half, &v[1], &said);
-    if (!minors_is_over(d, how, &said))
-        minors_levels(d, v, &said);
+        minors_see(minors_side(d, 1), how, b, a, (lane *)room + half, &v[1], &said);
+    if (!minors_is_over(d, how, &said)) {
+        if (d.from_simplex)
+            minors_levels_from_simplex(d, &v[0], &said);
+        else
+            minors_levels(d, v, &said);
+    }
     out->apart = said.apart;
     out->meet = said.meet;
     out->known = said.known;

@@ -1,4 +1,4 @@
-/* minors_loops.h: pairs and rows of packed cuboids, or simplices, in four to eight dimensions; the
+/* minors_loops.h: pairs and rows of packed cuboids and simplices in four to eight dimensions; the
  * body of minors_*.c, which set FMB_LANES and name the table FMB_MINORS_TABLE. */
 #ifndef FMB_PAIR_MINORS_LOOPS_H
 #define FMB_PAIR_MINORS_LOOPS_H
@@ -9,14 +9,13 @@
 /* Of a record, rounded up. */
 enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
 
-/* Each kernel once: pairs and rows call it. */
+/* Each kernel once. Of one of each records come with the cuboid first. */
 #define MINORS_ASK(dim, what)                                                                      \
     static FMB_NEVER_CLONED unsigned minors_ask_##dim##what(                                       \
         minors_asked how, const lane *a, const lane *b, double *room, minors_said *said)           \
     {                                                                                              \
-        const bool simplices = (what) / 2 == 1, moves = (what) % 2 == 1;                           \
-        const minors_kind d = {(dim), (dim) + simplices + moves, simplices, moves};                \
-        return minors_ask(d, how, a, b, room, said);                                               \
+        const minors_kind d = minors_kind_of((dim), (what));                                       \
+        return minors_ask(d, how, d.from_simplex ? b : a, d.from_simplex ? a : b, room, said);     \
     }
 MINORS_ASK(4, 0)
 MINORS_ASK(5, 0)
@@ -33,9 +32,21 @@ MINORS_ASK(6, 2)
 MINORS_ASK(4, 3)
 MINORS_ASK(5, 3)
 MINORS_ASK(6, 3)
+MINORS_ASK(4, 4)
+MINORS_ASK(5, 4)
+MINORS_ASK(6, 4)
+MINORS_ASK(4, 5)
+MINORS_ASK(5, 5)
 
 typedef unsigned minors_asker(minors_asked how, const lane *a, const lane *b, double *room,
                               minors_said *said);
+static minors_asker *const MINORS_ASKERS[FMB_MINORS_WHATS][FMB_MINORS_DIMS] = {
+    {minors_ask_40, minors_ask_50, minors_ask_60, minors_ask_70, minors_ask_80},
+    {minors_ask_41, minors_ask_51, minors_ask_61, minors_ask_71, NULL},
+    {minors_ask_42, minors_ask_52, minors_ask_62, NULL, NULL},
+    {minors_ask_43, minors_ask_53, minors_ask_63, NULL, NULL},
+    {minors_ask_44, minors_ask_54, minors_ask_64, NULL, NULL},
+    {minors_ask_45, minors_ask_55, NULL, NULL, NULL}};
 
 /* Of lanes that rows leave open. */
 static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(minors_asker *ask, bool whole,
@@ -56,9 +67,10 @@ static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(minors_asker *ask, bool
     return bits;
 }
 
-FMB_INLINE fmb_pair_bits minors_answer(fmb_minors_what what, minors_asker *ask, bool closed,
-                                       const lane *a, const lane *b, double *room)
+static fmb_pair_bits minors_answer(int dim, fmb_minors_what what, bool closed, const lane *a,
+                                   const lane *b, double *room)
 {
+    minors_asker *ask = MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM];
     minors_said said = minors_silent();
     ask(MINORS_AT_0, a, b, room, &said);
     if (what == FMB_MINORS_MOVING_SIMPLICES && !minors_all_apart(&said))
@@ -66,7 +78,7 @@ FMB_INLINE fmb_pair_bits minors_answer(fmb_minors_what what, minors_asker *ask, 
     fmb_pair_bits bits = minors_bits(&said);
     const unsigned open = lane_bits(said.known) & ~(bits.apart | bits.meet);
     if (open) {
-        const bool whole = closed && what < FMB_MINORS_SIMPLICES;
+        const bool whole = closed && what / 2 != 1;
         const fmb_pair_bits more = minors_decide_open(ask, whole, a, b, room, open);
         bits.apart |= more.apart;
         bits.meet |= more.meet;
@@ -96,8 +108,8 @@ static void minors_tiles(int dim, const double *record, const uint32_t *index, s
     }
 }
 
-FMB_INLINE void minors_row(int dim, fmb_minors_what what, minors_asker *ask,
-                           const fmb_packed_row *x, double *room, fmb_packed_bits *out)
+static void minors_row(int dim, fmb_minors_what what, const fmb_packed_row *x, double *room,
+                       fmb_packed_bits *out)
 {
     const int rows = fmb_minors_record(dim);
     lane one[MINORS_ROWS];
@@ -107,16 +119,17 @@ FMB_INLINE void minors_row(int dim, fmb_minors_what what, minors_asker *ask,
     for (size_t g = 0; g < (x->n + 7) / 8; g++) {
         out[g] = (fmb_packed_bits){0, 0};
         for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
+            const lane *side[2] = {one, (const lane *)tiles};
             fmb_pair_bits some =
-                minors_answer(what, ask, x->closed, one, (const lane *)tiles, room);
+                minors_answer(dim, what, x->closed, side[x->swapped], side[!x->swapped], room);
             out[g].apart = (uint8_t)(out[g].apart | some.apart << l);
             out[g].meet = (uint8_t)(out[g].meet | some.meet << l);
         }
     }
 }
 
-FMB_INLINE bool minors_pairs(int dim, fmb_minors_what what, minors_asker *ask,
-                             const fmb_packed_pairs *x, double *room, fmb_verdict *out)
+static bool minors_pairs(int dim, fmb_minors_what what, const fmb_packed_pairs *x, double *room,
+                         fmb_verdict *out)
 {
     const int rows = fmb_minors_record(dim);
     bool known = true;
@@ -129,7 +142,7 @@ FMB_INLINE bool minors_pairs(int dim, fmb_minors_what what, minors_asker *ask,
                           (size_t)rows * x->index[s][2 * (i + l < x->n ? i + l : x->n - 1)];
             minors_pack(rows, from, side[s]);
         }
-        fmb_pair_bits bits = minors_answer(what, ask, x->closed, side[0], side[1], room);
+        fmb_pair_bits bits = minors_answer(dim, what, x->closed, side[0], side[1], room);
         for (size_t l = 0; l < FMB_LANES && i + l < x->n; l++) {
             out[i + l] = bits.apart >> l & 1  ? FMB_INFEASIBLE
                          : bits.meet >> l & 1 ? FMB_FEASIBLE
@@ -140,43 +153,8 @@ FMB_INLINE bool minors_pairs(int dim, fmb_minors_what what, minors_asker *ask,
     return known;
 }
 
-#define MINORS_LOOPS(dim, what)                                                                    \
-    static void minors_row_##dim##what(const fmb_packed_row *x, double *room,                      \
-                                       fmb_packed_bits *out)                                       \
-    {                                                                                              \
-        minors_row((dim), (fmb_minors_what)(what), minors_ask_##dim##what, x, room, out);          \
-    }                                                                                              \
-    static bool minors_pairs_##dim##what(const fmb_packed_pairs *x, double *room,                  \
-                                         fmb_verdict *out)                                         \
-    {                                                                                              \
-        return minors_pairs((dim), (fmb_minors_what)(what), minors_ask_##dim##what, x, room, out); \
-    }
-MINORS_LOOPS(4, 0)
-MINORS_LOOPS(5, 0)
-MINORS_LOOPS(6, 0)
-MINORS_LOOPS(7, 0)
-MINORS_LOOPS(8, 0)
-MINORS_LOOPS(4, 1)
-MINORS_LOOPS(5, 1)
-MINORS_LOOPS(6, 1)
-MINORS_LOOPS(7, 1)
-MINORS_LOOPS(4, 2)
-MINORS_LOOPS(5, 2)
-MINORS_LOOPS(6, 2)
-MINORS_LOOPS(4, 3)
-MINORS_LOOPS(5, 3)
-MINORS_LOOPS(6, 3)
-
 extern const fmb_minor_kernels FMB_MINORS_TABLE;
 const fmb_minor_kernels FMB_MINORS_TABLE = {
-    .pairs = {{minors_pairs_40, minors_pairs_50, minors_pairs_60, minors_pairs_70, minors_pairs_80},
-              {minors_pairs_41, minors_pairs_51, minors_pairs_61, minors_pairs_71, NULL},
-              {minors_pairs_42, minors_pairs_52, minors_pairs_62, NULL, NULL},
-              {minors_pairs_43, minors_pairs_53, minors_pairs_63, NULL, NULL}},
-    .tiles = minors_tiles,
-    .row = {{minors_row_40, minors_row_50, minors_row_60, minors_row_70, minors_row_80},
-            {minors_row_41, minors_row_51, minors_row_61, minors_row_71, NULL},
-            {minors_row_42, minors_row_52, minors_row_62, NULL, NULL},
-            {minors_row_43, minors_row_53, minors_row_63, NULL, NULL}}};
+    .pairs = minors_pairs, .tiles = minors_tiles, .row = minors_row};
 
 #endif

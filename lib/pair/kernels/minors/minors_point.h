@@ -64,7 +64,7 @@ FMB_INLINE lane minors_clamp(lane x, double most)
 /* How far z is from where it is to be. */
 FMB_INLINE lane minors_off(minors_kind d, lane z)
 {
-    if (d.simplices)
+    if (d.simplices || d.from_simplex)
         return lane_min(z - lane_of(0.1), lane_of(0));
     return z - minors_clamp(z, 0.9);
 }
@@ -96,7 +96,7 @@ FMB_INLINE unsigned minors_check_point(minors_kind d, const minors_view *v, cons
     for (int r = 0; r < minors_count_rows(d); r++) {
         const lane z = minors_place(d, v, p, r);
         lane gap = lane_abs(z) - lane_of(1);
-        if (d.simplices)
+        if (d.simplices || d.from_simplex)
             gap = lane_of(0) - z;
         minors_hear(&inside, gap, error * v->g[r]);
     }

@@ -14,6 +14,25 @@ FMB_INLINE lane minors_coordinate(minors_kind d, const lane *inverse, int r, con
     return sum;
 }
 
+/* The last barycentric coordinate of each column, from the others: of the corners of a simplex they
+ * sum to 1, of edges and drifts to 0; and the bound on it. */
+FMB_INLINE void minors_add_last_row(minors_kind d, minors_view *v)
+{
+    const int row = minors_stride(d, 1);
+    v->g[d.dim] = lane_of(1);
+#pragma GCC unroll 8
+    for (int r = 0; r < d.dim; r++)
+        v->g[d.dim] = v->g[d.dim] + v->g[r];
+#pragma GCC unroll 8
+    for (int j = 0; j < d.n; j++) {
+        lane last = lane_of(d.simplices && j <= d.dim);
+#pragma GCC unroll 8
+        for (int r = 0; r < d.dim; r++)
+            last = last - v->e[r * row + j];
+        v->e[d.dim * row + j] = last;
+    }
+}
+
 /* sum (-1)^i factor[i] from[i][s] */
 FMB_INLINE lane minors_expand(int k, const lane *factor, const lane *const *from, int s)
 {
@@ -29,14 +48,15 @@ FMB_INLINE int minors_with(int k, int s, int j)
 {
     return k == 1   ? FMB_MINORS_WITH_1[s][j]
            : k == 2 ? FMB_MINORS_WITH_2[s][j]
-                    : FMB_MINORS_WITH_3[s][j];
+           : k == 3 ? FMB_MINORS_WITH_3[s][j]
+                    : FMB_MINORS_WITH_4[s][j];
 }
 
 /* The k + 1 rows of a set, where their minors of the level before are, and the bound on them: the
  * product of their bounds, of simplices that of the bound of one and the sizes of the others. */
 typedef struct minors_rows {
-    int row[4];
-    const lane *less[4];
+    int row[5];
+    const lane *less[5];
     lane g;
 } minors_rows;
 
@@ -45,7 +65,7 @@ FMB_INLINE void minors_find_rows(minors_kind d, const minors_view *v, int k, uns
 {
     unsigned left = set;
     lane size = out->g = lane_of(1);
-#pragma GCC unroll 4
+#pragma GCC unroll 5
     for (int i = 0; i <= k; i++, left &= left - 1) {
         out->row[i] = __builtin_ctz(left);
         out->less[i] = v->from + FMB_MINORS_RANK[set & ~(1U << out->row[i])] * minors_stride(d, k);
@@ -71,7 +91,7 @@ FMB_INLINE void minors_make(minors_kind d, const minors_view *v, int k, minors_p
                             const minors_rows *rows, lane *to)
 {
     const int first = part == MINORS_DRIFTED ? d.n - 1 : k;
-    lane factor[4];
+    lane factor[5];
 #pragma GCC unroll 8
     for (int j = first; j < d.n; j++) {
         lane *at = to + fmb_minors_choose(j, k + 1);
@@ -91,6 +111,14 @@ FMB_INLINE void minors_make(minors_kind d, const minors_view *v, int k, minors_p
 #define MINORS_UNROLL _Pragma("GCC unroll 64")
 #else
 #define MINORS_UNROLL
+#endif
+
+/* Before the loop over rows of coordinates: in pieces it is up to an eighth slower where lanes are
+ * eight and all are apart, and elsewhere not. */
+#if FMB_LANES == 8
+#define MINORS_UNROLL_ROWS _Pragma("GCC unroll 8")
+#else
+#define MINORS_UNROLL_ROWS
 #endif
 
 /* The next set of that size. */

@@ -181,25 +181,19 @@ FMB_INLINE void minors_look_at_corners(minors_kind d, const lane *a, const lane 
                                        minors_view *v)
 {
     const lane *inverse = a + d.dim * (d.dim + 2), *reach = a + 2 * d.dim * (d.dim + 1);
-    lane *last = v->e + d.dim * minors_stride(d, 1);
-    for (int j = 0; j < d.n; j++)
-        last[j] = lane_of(j <= d.dim);
-    v->g[d.dim] = lane_of(1);
-#pragma GCC unroll 8
+    MINORS_UNROLL_ROWS
     for (int r = 0; r < d.dim; r++) {
         lane *e = v->e + r * minors_stride(d, 1);
         e[0] = minors_coordinate(d, inverse, r, shift);
-        last[0] = last[0] - e[0];
 #pragma GCC unroll 8
         for (int j = 1; j < d.n; j++) {
             e[j] = minors_coordinate(d, inverse, r, j <= d.dim ? b + d.dim * j : drift);
             if (j <= d.dim)
                 e[j] = e[0] + e[j];
-            last[j] = last[j] - e[j];
         }
         v->g[r] = lane_of(2) * lane_max(lane_of(1), reach[r] * most);
-        v->g[d.dim] = v->g[d.dim] + v->g[r];
     }
+    minors_add_last_row(d, v);
     v->from = v->e;
     v->to = room;
 }

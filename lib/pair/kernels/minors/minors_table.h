@@ -61,6 +61,10 @@ static const uint8_t FMB_MINORS_WITH_3[56][5] = {
     {42, 43, 44, 54, 64}, {45, 46, 48, 51, 65}, {45, 47, 49, 52, 66}, {46, 47, 50, 53, 67},
     {48, 49, 50, 54, 68}, {51, 52, 53, 54, 69}, {55, 56, 58, 61, 65}, {55, 57, 59, 62, 66},
     {56, 57, 60, 63, 67}, {58, 59, 60, 64, 68}, {61, 62, 63, 64, 69}, {65, 66, 67, 68, 69}};
+/* The same of numbers below 6 alone. */
+static const uint8_t FMB_MINORS_WITH_4[15][2] = {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5},
+                                                 {1, 2}, {1, 3}, {1, 4}, {1, 5}, {2, 3},
+                                                 {2, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}};
 
 /* The sets of one, two and three by number. */
 static const uint8_t FMB_MINORS_SET_1[8] = {1, 2, 4, 8, 16, 32, 64, 128};
@@ -92,12 +96,13 @@ static inline int fmb_minors_count(unsigned set)
 /* How many subsets of that size n numbers have. */
 static inline int fmb_minors_choose(int n, int size)
 {
-    const int two = n * (n - 1) / 2, three = two * (n - 2) / 3;
+    const int two = n * (n - 1) / 2, three = two * (n - 2) / 3, four = three * (n - 3) / 4;
     return size == 0   ? 1
            : size == 1 ? n
            : size == 2 ? two
            : size == 3 ? three
-                       : three * (n - 3) / 4;
+           : size == 4 ? four
+                       : four * (n - 4) / 5;
 }
 
 #endif

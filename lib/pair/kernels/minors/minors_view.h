@@ -10,11 +10,29 @@
 typedef struct minors_kind {
     int dim, n; /* n columns, the last one the drift if there is one */
     bool simplices, moves;
+    /* of one of each (minors_mixed.h): this view is that of the cuboid from the simplex, that of
+     * the simplex from the cuboid */
+    bool from_simplex, from_cuboid;
 } minors_kind;
+
+/* what: fmb_minors_what. */
+FMB_INLINE minors_kind minors_kind_of(int dim, int what)
+{
+    const bool simplices = what / 2 == 1, moves = what % 2 == 1;
+    return (minors_kind){dim, dim + simplices + moves, simplices, moves, what / 2 == 2, false};
+}
+
+/* How one of the two sees the other: A is the simplex of one of each. */
+FMB_INLINE minors_kind minors_side(minors_kind d, int side)
+{
+    d.from_cuboid = d.from_simplex && side == 1;
+    d.from_simplex = d.from_simplex && side == 0;
+    return d;
+}
 
 FMB_INLINE int minors_count_rows(minors_kind d)
 {
-    return d.dim + d.simplices;
+    return d.dim + (d.simplices || d.from_simplex);
 }
 
 /* Of simplices there is a bit of each set of columns: so many words. */
@@ -34,17 +52,17 @@ typedef struct minors_view {
     lane e[(int)FMB_MINORS_MOST_DIM * ((int)FMB_MINORS_MOST + 5)]; /* [row][column] */
     /* absolute values of these; of simplices the largest of each row */
     lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];
-    lane center[FMB_MINORS_MOST_DIM];
-    lane g[FMB_MINORS_MOST_DIM]; /* bounds of a row: docs/error-bounds.md */
-    lane unit;                   /* the one that is looked from is |z_r| <= unit: 1, but as below */
-    const lane *from;            /* minors of the level before: [rows][columns] */
-    lane *to;                    /* room for the next ones */
+    lane center[FMB_MINORS_MOST_DIM + 1];
+    lane g[FMB_MINORS_MOST_DIM + 1]; /* bounds of a row: docs/error-bounds.md */
+    lane unit;        /* the one that is looked from is |z_r| <= unit: 1, but as below */
+    const lane *from; /* minors of the level before: [rows][columns] */
+    lane *to;         /* room for the next ones */
 } minors_view;
 
 /* Errors, in units of u and of a row's bound. */
 FMB_INLINE double minors_entry_error(minors_kind d)
 {
-    return d.dim + 3;
+    return d.from_simplex || d.from_cuboid ? 2 * d.dim + 4 : d.dim + 3;
 }
 FMB_INLINE double minors_center_error(minors_kind d)
 {
@@ -57,10 +75,11 @@ FMB_INLINE double minors_error(minors_kind d, int k)
     const double entry = minors_entry_error(d), center = minors_center_error(d), n = d.n;
     const double less = k == 0 ? 0 : k * entry + k * (k + 1) / 2 - 1;
     const double more = (k + 1) * entry + (k + 1) * (k + 2) / 2 - 1;
-    const double factorial = k == 3 ? 24 : k == 2 ? 6 : k + 1;
+    const double factorial = k == 4 ? 120 : k == 3 ? 24 : k == 2 ? 6 : k + 1;
+    const double middle = d.from_simplex || d.from_cuboid ? n + 7 : 0;
     return 1.01 * factorial *
            (center + (n + 3) * (less + k + 1) + less + 1 + (n - k) * more + n * (n - k + 1) + n +
-            3);
+            3 + middle);
 }
 
 /* The same for the minors of k + 1 columns of two simplices. */

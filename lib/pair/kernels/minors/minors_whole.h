@@ -15,7 +15,7 @@
 #ifndef FMB_PAIR_MINORS_WHOLE_H
 #define FMB_PAIR_MINORS_WHOLE_H
 
-#include "pair/kernels/minors/minors_view.h"
+#include "pair/kernels/minors/minors_mixed.h"
 
 /* |x| < 2^51, to the next whole number. */
 FMB_INLINE lane minors_nearest(lane x)
@@ -41,6 +41,8 @@ static FMB_NEVER_CLONED lane_mask minors_round(minors_kind d, const lane *from, 
             v->e[r * d.n + j] = minors_nearest(v->e[r * d.n + j] * v->unit);
         most = lane_max(most, error * v->g[r]);
     }
+    if (d.from_simplex)
+        minors_add_last_barycentric(d, v);
     return lane_and(whole, lane_less(most, lane_of(0.5)));
 }
 
