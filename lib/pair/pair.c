@@ -189,7 +189,7 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
     k->counts.pairs += n;
     return fmb_contact_asks_depth(&ours) || fmb_contact_asks_distance(&ours)
                ? fmb_contact_answer_all(k, n, p, q, &ours)
-               : fmb_pair_answer_all(k, n, p, q, false, &ours);
+               : fmb_pair_answer_all(k, n, p, q, FMB_PAIR_NEW, &ours);
 }
 
 fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,

@@ -226,7 +226,7 @@ static fmb_status answer_contact_of_pair(contact_query *x, size_t i, const fmb_p
     bool more = fmb_pair_answers_more(out);
     *out->verdict = x->verdict[i];
     if (x->verdict[i] == FMB_UNKNOWN || (more && x->verdict[i] == FMB_FEASIBLE))
-        FMB_TRY(fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], true, out));
+        FMB_TRY(fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], FMB_PAIR_GOOD, out));
     if (*out->verdict == FMB_FEASIBLE)
         FMB_TRY(answer_contact(x, i, out));
     else if (*out->verdict == FMB_INFEASIBLE && fmb_contact_asks_distance(out))

@@ -17,7 +17,7 @@ typedef struct query {
     const fmb_frame *p, *q;
     const fmb_pair_answers *out;
     bool boxes, alone; /* more than the verdict is wanted; this is the only pair */
-    bool good;         /* frames are known to be good */
+    fmb_pair_known known;
     const fmb_pair_kernels *kernels;
 } query;
 
@@ -39,7 +39,7 @@ static fmb_pair_answers answers_of(const query *a, size_t i)
 /* Pair i as frames by edges, as doubles want them. False: an edge is no double. */
 static bool are_good(const query *a, size_t i)
 {
-    return a->good ||
+    return a->known != FMB_PAIR_NEW ||
            (fmb_frame_is_good(&a->p[i], a->k->dim) && fmb_frame_is_good(&a->q[i], a->k->dim));
 }
 
@@ -187,6 +187,18 @@ static void decide_at_vertices(const query *a, size_t i, fmb_verdict *out)
     fmb_way_answered(FMB_WAY_PAIR_VERTICES, *out != FMB_UNKNOWN);
 }
 
+/* Closed frames that kernels left open: most of them touch, which doubles never tell. */
+static void meet_at_vertex(const query *a, size_t i, fmb_verdict *out)
+{
+    if (a->known != FMB_PAIR_OPEN || a->k->options.contact != FMB_CONTACT_CLOSED ||
+        !asks_exactly(a) || !fmb_way(FMB_WAY_PAIR_VERTICES) ||
+        !fmb_exact_box_meet(&a->p[i], &a->q[i]))
+        return;
+    *out = FMB_FEASIBLE;
+    a->k->counts.exact_verdicts++;
+    fmb_way_answered(FMB_WAY_PAIR_VERTICES, true);
+}
+
 static bool are_hulls(const fmb_frame *p, const fmb_frame *q)
 {
     return (fmb_frame_is_hull(p) || fmb_frame_is_hull(q)) && fmb_bodies_are(p, q);
@@ -210,6 +222,8 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
         return;
     if (by_kernels)
         decide_at_vertices(a, i, out);
+    else
+        meet_at_vertex(a, i, out);
     done = *out != FMB_UNKNOWN;
     if (!done && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
@@ -469,7 +483,7 @@ static fmb_status answer_some(const query *a, size_t from, size_t to, size_t n)
 }
 
 fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
-                               bool good, const fmb_pair_answers *out)
+                               fmb_pair_known known, const fmb_pair_answers *out)
 {
     query a = {k,
                p,
@@ -477,7 +491,7 @@ fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const 
                out,
                out->world || out->inside || out->time || out->witness,
                n == 1,
-               good,
+               known,
                n == 1 ? k->one : k->wide};
     fmb_status st = FMB_OK;
     size_t next = 0;

@@ -48,9 +48,13 @@ static inline bool fmb_pair_is_cancelled(const fmb_pair *k)
 
 /* The caller's places for answers, as we know them. Errors: ARG, with k->error set. */
 fmb_status fmb_pair_read_answers(fmb_pair *k, const fmb_pair_answers *out, fmb_pair_answers *ours);
-/* Answer all pairs, whose frames are known to be good or not; after a cancel, those that are left
- * are UNKNOWN. Errors: ARG, with k->error set, MEMORY. */
+/* What is known of frames: nothing; that they are good; that kernels left open, too, whether they
+ * meet. */
+typedef enum fmb_pair_known { FMB_PAIR_NEW, FMB_PAIR_GOOD, FMB_PAIR_OPEN } fmb_pair_known;
+
+/* Answer all pairs, of whose frames that is known; after a cancel, those that are left are UNKNOWN.
+ * Errors: ARG, with k->error set, MEMORY. */
 fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
-                               bool good, const fmb_pair_answers *out);
+                               fmb_pair_known known, const fmb_pair_answers *out);
 
 #endif

@@ -53,13 +53,19 @@ static fmb_verdict go_on_exactly(exact_boxer *b, const fmb_exact_box_goal *goal)
     return verdict == FMB_FEASIBLE && !take_state_of_basis(b, &basis) ? FMB_UNKNOWN : verdict;
 }
 
-/* To a first vertex, which doubles may leave unproved. */
-static fmb_verdict find_vertex(exact_boxer *b, bool prove)
+static void forget_points(exact_boxer *b)
 {
     b->points = 0;
     b->whole.of = NULL;
+    b->whole.low_of = NULL;
     for (int k = 0; k <= MOST_POINTS; k++)
         b->point[k].whole = &b->whole;
+}
+
+/* To a first vertex, which doubles may leave unproved. */
+static fmb_verdict find_vertex(exact_boxer *b, bool prove)
+{
+    forget_points(b);
     if (fmb_exact_box_walk_start(&b->walk, &b->program)) {
         if (!prove || take_state_of_basis(b, &b->walk.basis))
             return FMB_FEASIBLE;
@@ -245,6 +251,14 @@ fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_con
         return FMB_UNKNOWN;
     fmb_verdict verdict = find_vertex(&b, true);
     return verdict == FMB_FEASIBLE && contact == FMB_CONTACT_OPEN ? find_inner_point(&b) : verdict;
+}
+
+bool fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q)
+{
+    exact_boxer b;
+    forget_points(&b);
+    return fmb_exact_box_load(&b.program, p, q) && fmb_exact_box_walk_start(&b.walk, &b.program) &&
+           take_state_of_basis(&b, &b.walk.basis);
 }
 
 bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)

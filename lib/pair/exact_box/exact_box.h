@@ -10,6 +10,10 @@
 /* Do these frames, which are good, meet? UNKNOWN if that was not proved. Nothing is allocated. */
 fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact);
 
+/* Do these frames, which are good and closed, meet at the vertex that doubles guess? False: that is
+ * not known. */
+bool fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q);
+
 /* Of good frames that meet: all that out asks for, but the verdict; every end is the exact one,
  * rounded outward. False, and nothing written, if that was not proved. Nothing is allocated. */
 bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out);

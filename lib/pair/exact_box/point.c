@@ -330,10 +330,49 @@ void fmb_exact_box_remainder(fmb_exact_box *v, int group, int only, fmb_wide *ou
 
 /* ---- signs ----------------------------------------------------------------------------------- */
 
+const fmb_exact_box_low *fmb_exact_box_need_low(fmb_exact_box *v)
+{
+    const fmb_exact_box_program *s = v->program;
+    bool is_one[FMB_EXACT_BOX_COLUMNS];
+    int reference[DIM];
+    if (v->whole->low_of == v)
+        return &v->whole->low;
+    v->whole->low_of = v;
+    for (int k = 0; k < s->dim; k++)
+        reference[k] = fmb_exact_box_reference_of(v, v->basic[k]);
+    for (int j = 0; j < s->columns; j++)
+        is_one[j] = fmb_exact_box_is_one(v, j);
+    fmb_exact_box_find_low(s, v->basic, reference, is_one, &v->whole->low);
+    return &v->whole->low;
+}
+
+/* x_k is near that; is it exactly 0? False: the lowest words do not tell. */
+static bool is_x_zero(fmb_exact_box *v, int k, near x)
+{
+    if (!v->is_near)
+        return false;
+    const fmb_exact_box_low *low = fmb_exact_box_need_low(v);
+    return fmb_exact_box_is_low_zero(low, low->x[k], fabs(x.x) + x.error);
+}
+
+/* The same of what is left of 1. */
+static bool is_remainder_zero(fmb_exact_box *v, int group, int only, near left)
+{
+    if (!v->is_near)
+        return false;
+    const fmb_exact_box_low *low = fmb_exact_box_need_low(v);
+    fmb_u128 bits = low->det;
+    for (int k = 0; k < v->program->dim; k++)
+        if (counts_in_rest(v, k, group, only))
+            bits = fmb_u128_minus(bits, low->x[k]);
+    return fmb_exact_box_is_low_zero(low, bits, fabs(left.x) + left.error);
+}
+
 static int sign_of_x(fmb_exact_box *v, int k)
 {
-    return fmb_exact_box_is_sign_known(v->x[k]) ? fmb_exact_box_sign_of_near(v->x[k])
-                                                : fmb_wide_sign(&fmb_exact_box_need_whole(v)->x[k]);
+    if (fmb_exact_box_is_sign_known(v->x[k]))
+        return fmb_exact_box_sign_of_near(v->x[k]);
+    return is_x_zero(v, k, v->x[k]) ? 0 : fmb_wide_sign(&fmb_exact_box_need_whole(v)->x[k]);
 }
 
 static int sign_of_remainder(fmb_exact_box *v, int group, int only)
@@ -342,6 +381,8 @@ static int sign_of_remainder(fmb_exact_box *v, int group, int only)
     fmb_wide left;
     if (fmb_exact_box_is_sign_known(guess))
         return fmb_exact_box_sign_of_near(guess);
+    if (is_remainder_zero(v, group, only, guess))
+        return 0;
     fmb_exact_box_remainder(v, group, only, &left);
     return fmb_wide_sign(&left);
 }
@@ -411,6 +452,8 @@ bool fmb_exact_box_take_basis(fmb_exact_box *v, const fmb_exact_box_program *s,
     v->has_close = false;
     if (v->whole->of == v)
         v->whole->of = NULL;
+    if (v->whole->low_of == v)
+        v->whole->low_of = NULL;
     if (!list_basic_unknowns(v))
         return false;
     find_near(v);

@@ -9,7 +9,7 @@
 #ifndef FMB_PAIR_POINT_H
 #define FMB_PAIR_POINT_H
 
-#include "pair/exact_box/exact_box_program.h"
+#include "pair/exact_box/low_words.h"
 
 #define FMB_LANES 1
 #include "pair/kernels/lane/double_double.h"
@@ -24,7 +24,9 @@ typedef struct fmb_exact_box_near {
 typedef struct fmb_exact_box_whole {
     const struct fmb_exact_box *of; /* or NULL */
     fmb_wide adjugate[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM], x[FMB_EXACT_BOX_DIM];
-    fmb_wide det; /* >= 0; 0: P has no inverse, and the others mean nothing */
+    fmb_wide det;                       /* >= 0; 0: P has no inverse, and the others mean nothing */
+    const struct fmb_exact_box *low_of; /* or NULL */
+    fmb_exact_box_low low;              /* before signs are such that det >= 0 */
 } fmb_exact_box_whole;
 
 /* P^-1 is nearly inverse: the sum of what row k of inverse P is off a unit vector is at most
@@ -65,6 +67,8 @@ bool fmb_exact_box_take_basis(fmb_exact_box *v, const fmb_exact_box_program *s,
 void fmb_exact_box_bound_way(const fmb_exact_box *v, const double *rest, double *error);
 /* Its numbers exactly, in v->whole. */
 const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v);
+/* The same modulo 2^128. */
+const fmb_exact_box_low *fmb_exact_box_need_low(fmb_exact_box *v);
 /* det less x_only, or less all x of a group where only is -1. */
 void fmb_exact_box_remainder(fmb_exact_box *v, int group, int only, fmb_wide *out);
 

@@ -60,31 +60,41 @@ bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
 
 /* More than verdicts too; out is of these n pairs, n <= FMB_PACKED_AT_ONCE. */
 static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
-                                   const fmb_frames_pair *pair, const fmb_pair_answers *out)
+                                   const fmb_frames_pair *pair, fmb_pair_known known,
+                                   const fmb_pair_answers *out)
 {
     fmb_frame p[FMB_PACKED_AT_ONCE], q[FMB_PACKED_AT_ONCE];
     for (size_t i = 0; i < n; i++) {
         p[i] = fmb_frames_at(a, pair[i].a);
         q[i] = fmb_frames_at(b, pair[i].b);
     }
-    return fmb_pair_answer_all(k, n, p, q, true, out);
+    return fmb_pair_answer_all(k, n, p, q, known, out);
 }
 
-fmb_status fmb_packed_answer(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
-                             const fmb_frames_pair *pair, const fmb_pair_answers *out)
+static fmb_status answer_by_portions(fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
+                                     size_t n, const fmb_frames_pair *pair, fmb_pair_known known,
+                                     const fmb_pair_answers *out)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < n; i += FMB_PACKED_AT_ONCE) {
         fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, i);
         st = answer_as_frames(k, a, b, n - i < FMB_PACKED_AT_ONCE ? n - i : FMB_PACKED_AT_ONCE,
-                              pair + i, &some);
+                              pair + i, known, &some);
     }
     return st;
+}
+
+fmb_status fmb_packed_answer(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                             const fmb_frames_pair *pair, const fmb_pair_answers *out)
+{
+    return answer_by_portions(k, a, b, n, pair, FMB_PAIR_GOOD, out);
 }
 
 fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, fmb_verdict *out)
 {
-    return fmb_packed_answer(k, a, b, n, pair,
-                             &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = out});
+    const fmb_pair_answers answers = {.size = sizeof answers, .verdict = out};
+    fmb_packed_plan plan;
+    const bool open = n > 0 && fmb_packed_plan_of(k, a->kind[pair->a], b->kind[pair->b], &plan);
+    return answer_by_portions(k, a, b, n, pair, open ? FMB_PAIR_OPEN : FMB_PAIR_GOOD, &answers);
 }

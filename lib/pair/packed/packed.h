@@ -23,7 +23,8 @@ enum { FMB_PACKED_AT_ONCE = 64 };
 /* What is asked of n pairs, by fmb_pair_answer_all; out is of these pairs. Errors: MEMORY. */
 fmb_status fmb_packed_answer(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, const fmb_pair_answers *out);
-/* Verdicts of n pairs by fmb_pair_answer_all. Errors: MEMORY. */
+/* Verdicts of n pairs of one kind by fmb_pair_answer_all, which kernels left open if they have a
+ * plan for that kind. Errors: MEMORY. */
 fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, fmb_verdict *out);
 

@@ -212,3 +212,95 @@ Test(certify, only_corners_at_the_end_are_farthest)
             }
         }
 }
+
+/* ---- the lowest words ------------------------------------------------------------------------ */
+
+static uint64_t next_random(uint64_t *state)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 7;
+    return *state ^= *state << 17;
+}
+
+/* Whole numbers of so many bits, every fourth of them 0. */
+static void draw_frame(uint64_t *state, int dim, int bits, double *number, fmb_frame *out)
+{
+    for (int i = 0; i < dim * (dim + 1); i++) {
+        uint64_t x = next_random(state);
+        number[i] = x % 4 == 0 ? 0 : (double)(int64_t)(x >> (64 - bits)) - ldexp(0.5, bits);
+    }
+    const fmb_shape shape = next_random(state) % 2 ? FMB_SIMPLEX : FMB_CUBOID;
+    *out = (fmb_frame){shape, dim, dim, number, number + dim, NULL};
+}
+
+/* As many basic unknowns as there may be, any ones, and some at their upper ends. */
+static void draw_basis(uint64_t *state, const fmb_exact_box_program *s, fmb_exact_box_basis *out)
+{
+    int left = s->dim + s->is_simplex[0] + s->is_simplex[1];
+    *out = (fmb_exact_box_basis){{0}};
+    for (int j = 0; j < s->unknowns; j++)
+        if (s->group[j] == FMB_EXACT_BOX_UNIT && next_random(state) % 3 == 0)
+            out->place[j] = FMB_EXACT_BOX_HIGH;
+    while (left > 0) {
+        int j = (int)(next_random(state) % (uint64_t)s->unknowns);
+        if (s->group[j] != FMB_EXACT_BOX_NONE && out->place[j] != FMB_EXACT_BOX_BASIC) {
+            out->place[j] = FMB_EXACT_BOX_BASIC;
+            left--;
+        }
+    }
+}
+
+/* Is a, or - a, that modulo 2^128? */
+static bool is_low_of(const fmb_wide *a, bool negative, fmb_u128 low)
+{
+    fmb_u128 size = fmb_u128_join(a->n > 1 ? a->word[1] : 0, a->n > 0 ? a->word[0] : 0);
+    fmb_u128 is = a->minus != negative ? fmb_u128_minus(fmb_u128_of(0), size) : size;
+    return fmb_u128_low(is) == fmb_u128_low(low) && fmb_u128_high(is) == fmb_u128_high(low);
+}
+
+/* They are those of the integers, det is not larger than its bound, and no number is said to be 0
+ * that is none, whatever doubles know of it. How many are 0, and said to be. */
+static int check_low_words(fmb_exact_box *v, int *zeros)
+{
+    const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
+    const fmb_exact_box_low *low = fmb_exact_box_need_low(v);
+    const bool negative = !is_low_of(&w->det, false, low->det);
+    int told = 0;
+    cr_assert_gt(w->det.n, 0);
+    cr_expect(is_low_of(&w->det, negative, low->det));
+    cr_expect_geq(low->most * (1 + 0x1p-50), fmb_wide_to_double(&w->det));
+    for (int k = 0; k < v->program->dim; k++) {
+        bool is = fmb_exact_box_is_low_zero(low, low->x[k], fabs(v->x[k].x) + v->x[k].error);
+        cr_expect(!is || w->x[k].n == 0);
+        cr_expect(is_low_of(&w->x[k], negative, low->x[k]));
+        *zeros += w->x[k].n == 0;
+        told += is;
+    }
+    return told;
+}
+
+Test(certify, lowest_words_are_those_of_the_integers)
+{
+    uint64_t state = 20261126;
+    int zeros = 0, told = 0, checked = 0;
+    for (int i = 0; i < 4000; i++) {
+        static const int BITS[] = {3, 13, 26, 50};
+        const int dim = 2 + i % (DIM - 1), bits = BITS[i / 8 % 4];
+        double number[2][DIM * (DIM + 1)];
+        fmb_frame p, q;
+        fmb_exact_box_program s;
+        fmb_exact_box v = {.whole = &whole};
+        fmb_exact_box_basis basis;
+        draw_frame(&state, dim, bits, number[0], &p);
+        draw_frame(&state, dim, bits, number[1], &q);
+        cr_assert(fmb_exact_box_load(&s, &p, &q));
+        draw_basis(&state, &s, &basis);
+        if (fmb_exact_box_take_basis(&v, &s, &basis) && v.is_near) {
+            checked++;
+            told += check_low_words(&v, &zeros);
+        }
+    }
+    cr_expect_gt(checked, 500);
+    cr_expect_gt(zeros, 100);
+    cr_expect_gt(10 * told, 9 * zeros, "%d of %d", told, zeros);
+}
