@@ -5,8 +5,8 @@
  * generator of one verdict. All against all: 256 frames and 256 others. Ways take turns; times are
  * this thread's CPU time, medians over the passes, the least in brackets. In four to eight
  * dimensions fewer frames, of which about half meet (axes are longer), none, or all with parallel
- * edges, and simplices that stand still; the ratio is to two cuboids in space, taken in turns with
- * them. See README.md.
+ * edges; the ratio is to two cuboids in space, taken in turns with them. Then pairs that touch, and
+ * those of small whole numbers. See README.md.
  */
 #include <string.h>
 
@@ -239,10 +239,10 @@ typedef struct many_cell {
     bool moves;
     double far;   /* origins are within so many of the numbers that axes are within */
     bool aligned; /* axes are parallel to those of the world */
-    fmb_shape shape;
+    fmb_shape shape[2];
 } many_cell;
 
-static fmb_frame some_frame(const many_cell *c, uint64_t *state, double *number)
+static fmb_frame some_frame(const many_cell *c, fmb_shape shape, uint64_t *state, double *number)
 {
     const int dim = c->dim, axes = dim * dim;
     for (int j = 0; j < dim * (dim + 2); j++)
@@ -251,9 +251,9 @@ static fmb_frame some_frame(const many_cell *c, uint64_t *state, double *number)
         number[j] *= c->far;
     for (int j = 0; c->aligned && j < axes; j++)
         number[dim + j] *= j % dim == j / dim;
-    for (int j = 0; c->shape == FMB_SIMPLEX && j < axes; j++) /* the middle is where it was */
+    for (int j = 0; shape == FMB_SIMPLEX && j < axes; j++) /* the middle is where it was */
         number[j % dim] -= number[dim + j] / (dim + 1);
-    return (fmb_frame){.shape = c->shape,
+    return (fmb_frame){.shape = shape,
                        .dim = dim,
                        .naxes = dim,
                        .origin = number,
@@ -261,15 +261,20 @@ static fmb_frame some_frame(const many_cell *c, uint64_t *state, double *number)
                        .speed = c->moves ? number + dim + axes : NULL};
 }
 
-static fmb_frames *some_frames(const many_cell *c, size_t n, uint64_t *state)
+static fmb_frames *some_frames(const many_cell *c, int side, size_t n, uint64_t *state)
 {
     static double number[SIDE][MOST_NUMBERS];
     fmb_frame f[SIDE];
     fmb_frames *out = NULL;
     for (size_t i = 0; i < n; i++)
-        f[i] = some_frame(c, state, number[i]);
+        f[i] = some_frame(c, c->shape[side], state, number[i]);
     must(fmb_frames_new(c->dim, n, f, NULL, &out));
     return out;
+}
+
+static const char *text_of_shapes(const fmb_shape shape[2])
+{
+    return shape[0] != shape[1] ? "mixed" : shape[0] == FMB_SIMPLEX ? "simplices" : "cuboids";
 }
 
 /* All against all, n frames each; the yardstick: as many in space. */
@@ -288,20 +293,17 @@ static void measure_many(const many_cell *c, fmb_simd simd)
     for (int i = 0; i < 2; i++) {
         w[i] = (way){.pair = NULL};
         must(fmb_pair_new(cell[i]->dim, &o, NULL, &w[i].k));
-        w[i].a = set[i][0] = some_frames(cell[i], n, &state);
-        w[i].b = set[i][1] = some_frames(cell[i], n, &state);
+        w[i].a = set[i][0] = some_frames(cell[i], 0, n, &state);
+        w[i].b = set[i][1] = some_frames(cell[i], 1, n, &state);
     }
     study_timed timed[2] = {{ask_all, &w[0]}, {ask_all, &w[1]}};
     study_clock clock = {.way = timed, .ways = 2, .queries = n * n, .groups = 1, .passes = PASSES};
     must(study_clock_run(&clock));
     must(fmb_pair_count(w[0].k, &counts));
     study_spread ns = study_clock_ns(&clock, 0);
-    printf("%dD %-9s %-8s  %8.1f [%8.1f]  %8.2f  %5.1f %% meet, %5.2f %% exact\n", c->dim,
-           c->shape == FMB_SIMPLEX ? "simplices"
-           : c->moves              ? "moving"
-                                   : "still",
-           c->what, ns.median, ns.least, study_clock_ratio(&clock, 0, 1).ratio,
-           100.0 * (double)w[0].meeting / (double)(n * n),
+    printf("%dD %-9s %-6s %-8s  %8.1f [%8.1f]  %8.2f  %5.1f %% meet, %5.2f %% exact\n", c->dim,
+           text_of_shapes(c->shape), c->moves ? "moving" : "still", c->what, ns.median, ns.least,
+           study_clock_ratio(&clock, 0, 1).ratio, 100.0 * (double)w[0].meeting / (double)(n * n),
            100.0 * (double)counts.exact_verdicts / (double)counts.pairs);
     study_clock_clear(&clock);
     for (int i = 0; i < 2; i++) {
@@ -311,25 +313,66 @@ static void measure_many(const many_cell *c, fmb_simd simd)
     }
 }
 
+/* How many frames are so near each other that half of the pairs meet: of cuboids, of one of each,
+ * of simplices, from 4D on. */
+static const double HALF[3][5] = {
+    {0.35, 0.3, 0.2, 0.15, 0.1}, {0.4, 0.35, 0.27}, {0.45, 0.4, 0.35}};
+
+static void measure_kinds(int dim, int simplices, bool moves, fmb_simd simd)
+{
+    const fmb_shape shape[2] = {simplices == 2, simplices > 0};
+    many_cell cell[3] = {{"half", dim, moves, HALF[simplices][dim - 4], false, {0}},
+                         {"apart", dim, moves, 8, false, {0}},
+                         {"parallel", dim, moves, HALF[simplices][dim - 4], true, {0}}};
+    for (int i = 0; i < (simplices ? 2 : 3); i++) {
+        memcpy(cell[i].shape, shape, sizeof shape);
+        measure_many(&cell[i], simd);
+    }
+}
+
+/* Pairs that doubles do not tell, by index. */
+static void measure_family(study_pair_family family, int dim, int simplices, fmb_simd simd)
+{
+    enum { SOME = 4096 };
+    const study_pair_plan plan = {
+        .family = family, .dim = dim, .shape = {simplices == 2, simplices > 0}};
+    duel d;
+    study_pairs pairs;
+    fmb_frames *a = NULL, *b = NULL;
+    fmb_pair_counts counts = {.size = sizeof counts};
+    open_duel(&plan, simd, &d);
+    must(study_pairs_make(&plan, 6, SOME, NULL, NULL, &pairs));
+    must(fmb_frames_new(dim, SOME, pairs.p, NULL, &a));
+    must(fmb_frames_new(dim, SOME, pairs.q, NULL, &b));
+    set_frames(&d, a, b);
+    study_timed timed = {ask_pairs, &d.w[0]};
+    study_clock clock = {.way = &timed, .ways = 1, .queries = SOME, .groups = 1, .passes = PASSES};
+    must(study_clock_run(&clock));
+    must(fmb_pair_count(d.w[0].k, &counts));
+    study_spread ns = study_clock_ns(&clock, 0);
+    printf("%dD %-9s %-15s  %8.1f [%8.1f]  %5.2f %% exact\n", dim,
+           text_of_shapes((const fmb_shape[2]){simplices == 2, simplices > 0}),
+           study_pair_family_text(family), ns.median, ns.least,
+           100.0 * (double)counts.exact_verdicts / (double)counts.pairs);
+    study_clock_clear(&clock);
+    study_pairs_free(&pairs);
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    fmb_pair_free(d.w[0].k);
+    fmb_pair_free(d.w[1].k);
+}
+
 static void measure_more_dimensions(fmb_simd simd)
 {
-    static const double half[2][5] = {{0.35, 0.3, 0.2, 0.15, 0.1}, {0.45, 0.4, 0.35}};
-    printf("cuboids, about half of them meeting, ns [least], ratio to space\n");
-    for (int dim = 4; dim <= 8; dim++)
-        for (int moves = 0; moves < 2 && dim + moves <= 8; moves++) {
-            const many_cell cell[3] = {
-                {"half", dim, moves, half[0][dim - 4], false, FMB_CUBOID},
-                {"apart", dim, moves, 8, false, FMB_CUBOID},
-                {"parallel", dim, moves, half[0][dim - 4], true, FMB_CUBOID}};
-            for (int i = 0; i < 3; i++)
-                measure_many(&cell[i], simd);
-        }
-    for (int dim = 4; dim < 7; dim++) {
-        const many_cell cell[2] = {{"half", dim, false, half[1][dim - 4], false, FMB_SIMPLEX},
-                                   {"apart", dim, false, 8, false, FMB_SIMPLEX}};
-        for (int i = 0; i < 2; i++)
-            measure_many(&cell[i], simd);
-    }
+    printf("four and more dimensions, ns [least], ratio to space\n");
+    for (int simplices = 0; simplices < 3; simplices++)
+        for (int dim = 4; dim <= (simplices ? 6 : 8); dim++)
+            for (int moves = 0; moves < 2 && dim + moves <= (simplices == 1 ? 6 : 8); moves++)
+                measure_kinds(dim, simplices, moves, simd);
+    for (int dim = 4; dim <= 6; dim++)
+        for (int simplices = 0; simplices < 3; simplices++)
+            for (int i = 0; i < 2; i++)
+                measure_family(i ? STUDY_PAIR_LATTICE : STUDY_PAIR_TOUCHING, dim, simplices, simd);
 }
 
 /* ---- threads --------------------------------------------------------------------------------- */
@@ -373,14 +416,22 @@ int main(int argc, char **argv)
                 {"segment, tetrahedron", {1, 3}},
                 {"two segments", {1, 1}}};
     fmb_simd simd = FMB_SIMD_AUTO;
+    bool many = false;
     for (int i = 1; i < argc; i++)
-        if (!parse_simd(argv[i], &simd)) {
-            fprintf(stderr, "usage: bench-packed [--simd=plain|avx2|avx512]\n");
+        if (strcmp(argv[i], "--many") == 0) {
+            many = true;
+        } else if (!parse_simd(argv[i], &simd)) {
+            fprintf(stderr, "usage: bench-packed [--simd=plain|avx2|avx512] [--many]\n");
             return 64;
         }
     printf("{");
     print_machine_json(stdout);
-    printf("}\n%-20s  %14s  %14s  %6s\n", "ns [least]", "fmb", "sat", "ratio");
+    printf("}\n");
+    if (many) {
+        measure_more_dimensions(simd);
+        return 0;
+    }
+    printf("%-20s  %14s  %14s  %6s\n", "ns [least]", "fmb", "sat", "ratio");
     for (int i = 0; i < 3 * CELLS; i++) {
         study_pair_plan plan = cell_plan(i / 3);
         if (i % 3 < 2)

@@ -38,12 +38,20 @@ FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
 {
     const lane error = lane_of(minors_error(d, 0) * 0x1p-53);
     for (int r = 0; r < minors_count_rows(d); r++) {
-        lane reach = v->unit, away = v->center[r];
+        lane reach = v->unit, away = v->center[r], most = lane_of(1);
 #pragma GCC unroll 8
-        for (int j = d.from_cuboid ? d.dim : 0; j < d.n; j++)
-            reach = reach + (v->size[r * d.n + j] = lane_abs(v->e[r * d.n + j]));
-        if (d.from_simplex)
+        for (int j = d.from_cuboid ? d.dim : 0; j < d.n; j++) {
+            const lane size = lane_abs(v->e[r * d.n + j]);
+            reach = reach + size;
+            if (d.from_simplex)
+                most = lane_max(most, size);
+            else
+                v->size[r * d.n + j] = size;
+        }
+        if (d.from_simplex) {
+            v->size[r] = lane_max(most, lane_abs(away) * lane_of(1.0 / (d.n + 3)));
             away = away - v->unit;
+        }
         if (d.from_cuboid) {
             const minors_span corners = minors_span_of_corners(d, v->e + r * d.n);
             reach = reach + (corners.most - corners.least);

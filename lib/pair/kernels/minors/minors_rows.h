@@ -53,7 +53,8 @@ FMB_INLINE int minors_with(int k, int s, int j)
 }
 
 /* The k + 1 rows of a set, where their minors of the level before are, and the bound on them: the
- * product of their bounds, of simplices that of the bound of one and the sizes of the others. */
+ * product of their bounds, or seen from a simplex that of the bound of one and the sizes of the
+ * others. */
 typedef struct minors_rows {
     int row[5];
     const lane *less[5];
@@ -69,7 +70,7 @@ FMB_INLINE void minors_find_rows(minors_kind d, const minors_view *v, int k, uns
     for (int i = 0; i <= k; i++, left &= left - 1) {
         out->row[i] = __builtin_ctz(left);
         out->less[i] = v->from + FMB_MINORS_RANK[set & ~(1U << out->row[i])] * minors_stride(d, k);
-        if (d.simplices) {
+        if (d.simplices || d.from_simplex) {
             out->g = i == 0 ? v->g[out->row[0]]
                             : lane_max(out->g * v->size[out->row[i]], size * v->g[out->row[i]]);
             size = size * v->size[out->row[i]];

@@ -50,7 +50,7 @@ FMB_INLINE int minors_stride(minors_kind d, int k)
 /* One frame seen from another. */
 typedef struct minors_view {
     lane e[(int)FMB_MINORS_MOST_DIM * ((int)FMB_MINORS_MOST + 5)]; /* [row][column] */
-    /* absolute values of these; of simplices the largest of each row */
+    /* absolute values of these; from a simplex the largest of each row */
     lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];
     lane center[FMB_MINORS_MOST_DIM + 1];
     lane g[FMB_MINORS_MOST_DIM + 1]; /* bounds of a row: docs/error-bounds.md */
