@@ -79,7 +79,8 @@ static fmb_status answer_generally(const query *a, size_t i)
     if (done)
         return FMB_OK;
     done = asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES) &&
-           fmb_exact_box_answer(&a->p[i], &a->q[i], &out);
+           (fmb_exact_box_answer(&a->p[i], &a->q[i], &out) ||
+            fmb_long_box_answer(&a->p[i], &a->q[i], &out, &a->k->mem));
     fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
     return done ? FMB_OK : answer_exactly(a, i);
 }

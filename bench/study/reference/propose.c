@@ -6,29 +6,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "pair/general/workspace.h"
-#include "study/reference/equations.h"
-
-enum {
-    ROWS = STUDY_EQUATIONS_MOST,
-    COLUMNS = STUDY_MEETING_MOST_COLUMNS + 2,
-    POINTS = 2 * COLUMNS,
-    BITS = 62 /* of unknowns that are set, below the point */
-};
+#include "study/reference/basis.h"
 
 /* Unknowns that are as near to an end may be at it: guesses. */
 #define TINY 0x1p-30
 
-struct study_proposer {
-    fmb_mem mem;
-    fmb_general *g;
-    study_equations e;
-    mpz_t z[COLUMNS], y[ROWS], scale;    /* a point z / scale; prices or a direction */
-    mpz_t entry[COLUMNS], gain[COLUMNS]; /* of a step: a row of the basis, what columns bring */
-    /* common points of the pair at hand, z and scale: where an end is */
-    mpz_t known[POINTS][COLUMNS + 1];
-    int points;
-};
+enum { MOST_STEPS = 4 * COLUMNS };
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
@@ -42,7 +25,7 @@ static void init_numbers(study_proposer *w)
     for (int k = 0; k < POINTS; k++)
         for (int j = 0; j <= COLUMNS; j++)
             mpz_init(w->known[k][j]);
-    mpz_init(w->scale);
+    mpz_inits(w->scale, w->part, NULL);
 }
 
 study_proposer *study_proposer_open(int dim)
@@ -71,58 +54,9 @@ void study_proposer_close(study_proposer *w)
     for (int k = 0; k < POINTS; k++)
         for (int j = 0; j <= COLUMNS; j++)
             mpz_clear(w->known[k][j]);
-    mpz_clear(w->scale);
+    mpz_clears(w->scale, w->part, NULL);
     fmb_general_free(w->g, &w->mem);
     free(w);
-}
-
-/* ---- programs in whole numbers -----------------------------------------------------------------
- */
-
-/* Entry (i, j) of the program in doubles: M with slacks, and the row of the sum of each simplex,
- * which has nothing but 0 and 1. */
-static void set_entry(mpz_t out, const study_proposer *w, const study_meeting *s, int i, int j)
-{
-    const fmb_general_system *g = &w->g->program;
-    if (i >= s->dim)
-        mpz_set_ui(out, g->m[j * g->rows + i] != 0);
-    else if (j < s->columns)
-        mpz_set(out, s->m[i][j]);
-    else
-        mpz_set_ui(out, 0);
-}
-
-/* ---- points ---------------------------------------------------------------------------------- */
-
-/* z / scale: the solution whose unknowns that are no pivots are near `at`. */
-static bool solve_for_point(study_proposer *w, const study_meeting *s, const double *at)
-{
-    const fmb_general_system *g = &w->g->program;
-    mpz_t *entry = &w->scale;
-    for (int j = 0; j < g->columns; j++)
-        if (!g->is_pivot[j])
-            mpz_set_d(w->z[j], isfinite(at[j]) ? rint(ldexp(at[j], BITS)) : 0);
-    for (int i = 0; i < g->rows; i++) {
-        mpz_t *right = &w->e.a[i][g->rows];
-        mpz_set_ui(*right, 1);
-        mpz_mul_2exp(*right, i < s->dim ? s->h[i] : *right, BITS);
-        for (int j = 0; j < g->columns; j++)
-            if (!g->is_pivot[j] && mpz_sgn(w->z[j]) != 0) {
-                set_entry(*entry, w, s, i, j);
-                mpz_submul(*right, *entry, w->z[j]);
-            }
-        for (int k = 0; k < g->rows; k++)
-            set_entry(w->e.a[i][k], w, s, i, g->pivot[k]);
-    }
-    if (!study_equations_solve(&w->e, g->rows))
-        return false;
-    for (int j = 0; j < g->columns; j++)
-        if (!g->is_pivot[j])
-            mpz_mul(w->z[j], w->z[j], w->e.divisor);
-    for (int k = 0; k < g->rows; k++)
-        mpz_set(w->z[g->pivot[k]], w->e.x[k]);
-    mpz_mul_2exp(w->scale, w->e.divisor, BITS);
-    return true;
 }
 
 /* ---- directions ------------------------------------------------------------------------------ */
@@ -157,23 +91,9 @@ static void set_direction(study_proposer *w, const study_meeting *s, const doubl
     }
 }
 
-/* y / divisor: prices of the rows that make each pivot worth w->e.a[its place][rows]. */
-static bool solve_for_prices(study_proposer *w, const study_meeting *s)
-{
-    const fmb_general_system *g = &w->g->program;
-    for (int k = 0; k < g->rows; k++)
-        for (int i = 0; i < g->rows; i++)
-            set_entry(w->e.a[k][i], w, s, i, g->pivot[k]);
-    if (!study_equations_solve(&w->e, g->rows))
-        return false;
-    for (int i = 0; i < s->dim; i++)
-        mpz_set(w->y[i], w->e.x[i]);
-    return true;
-}
-
 static bool prove_point(study_proposer *w, study_meeting *s, fmb_contact contact, const double *at)
 {
-    return solve_for_point(w, s, at) && study_meeting_has_point(s, contact, w->z, w->scale);
+    return study_basis_solve_point(w, s, at) && study_meeting_has_point(s, contact, w->z, w->scale);
 }
 
 /* What y, or its opposite, shows. */
@@ -196,7 +116,7 @@ static bool prove_by_edge(study_proposer *w, study_meeting *s, int pivot, fmb_ve
     const int rows = w->g->program.rows;
     for (int k = 0; k < rows; k++)
         mpz_set_ui(w->e.a[k][rows], k == pivot);
-    return solve_for_prices(w, s) && prove_by_direction(w, s, verdict);
+    return study_basis_solve_prices(w, s) && prove_by_direction(w, s, verdict);
 }
 
 /* The pivot that is worth something in that direction, which is an edge of the basis. */
@@ -217,110 +137,19 @@ static int find_pivot_of_direction(const study_proposer *w, const double *y)
     return best;
 }
 
-/* ---- steps in whole numbers ------------------------------------------------------------------ */
-
-/* out_j := x times column j of the program, x being what was solved for last. */
-static void multiply_by_columns(study_proposer *w, const study_meeting *s, mpz_t *out)
-{
-    const fmb_general_system *g = &w->g->program;
-    for (int j = 0; j < g->columns; j++) {
-        mpz_set_ui(out[j], 0);
-        for (int i = 0; i < g->rows; i++) {
-            set_entry(w->scale, w, s, i, j);
-            mpz_addmul(out[j], w->scale, w->e.x[i]);
-        }
-    }
-}
-
-/* Prices of the rows by the basis at hand, y / divisor, for that form. */
-static bool solve_for_form(study_proposer *w, const study_meeting *s, const study_form *f)
-{
-    const fmb_general_system *g = &w->g->program;
-    for (int k = 0; k < g->rows; k++)
-        if (g->pivot[k] < s->columns)
-            mpz_set(w->e.a[k][g->rows], f->w[g->pivot[k]]);
-        else
-            mpz_set_ui(w->e.a[k][g->rows], 0);
-    return solve_for_prices(w, s);
-}
-
-/* gain := divisor times the form less y M, with these prices. */
-static void find_gains(study_proposer *w, const study_meeting *s, const study_form *f)
-{
-    multiply_by_columns(w, s, w->gain);
-    for (int j = 0; j < w->g->program.columns; j++) {
-        mpz_neg(w->gain[j], w->gain[j]);
-        if (j < s->columns)
-            mpz_addmul(w->gain[j], f->w[j], w->e.divisor);
-    }
-}
-
-/* Place of a pivot that is outside of its range at the point at hand, or -1; *high: it is above. */
-static int find_place_outside(const study_proposer *w, bool *high)
-{
-    const fmb_general_system *g = &w->g->program;
-    for (int k = 0; k < g->rows; k++) {
-        int j = g->pivot[k];
-        *high = g->kind[j] == FMB_GENERAL_UNIT && mpz_cmp(w->z[j], w->scale) > 0;
-        if (*high || mpz_sgn(w->z[j]) < 0)
-            return k;
-    }
-    return -1;
-}
-
-/* The column that comes in for one that goes out toward its high or its low end: of those that move
- * it there, the one whose gain over entry is the least. -1: none does. */
-static int find_coming_column(study_proposer *w, bool high)
-{
-    const fmb_general_system *g = &w->g->program;
-    int best = -1;
-    for (int j = 0; j < g->columns; j++) {
-        int sign = mpz_sgn(w->entry[j]) * (w->g->vertex[j] == 0 ? 1 : -1) * (high ? 1 : -1);
-        if (g->is_pivot[j] || sign <= 0)
-            continue;
-        if (best >= 0) {
-            mpz_mul(w->scale, w->gain[j], w->entry[best]);
-            mpz_mul(w->e.divisor, w->gain[best], w->entry[j]);
-        }
-        if (best < 0 || mpz_cmpabs(w->scale, w->e.divisor) < 0)
-            best = j;
-    }
-    return best;
-}
-
-/* One step of the dual simplex method, from the point and the gains at hand. */
-static bool step_into_range(study_proposer *w, const study_meeting *s, int place, bool high)
-{
-    fmb_general_system *g = &w->g->program;
-    for (int k = 0; k < g->rows; k++)
-        mpz_set_ui(w->e.a[k][g->rows], k == place);
-    if (!solve_for_prices(w, s))
-        return false;
-    multiply_by_columns(w, s, w->entry);
-    int in = find_coming_column(w, high), out = g->pivot[place];
-    if (in < 0)
-        return false;
-    g->is_pivot[out] = false;
-    g->is_pivot[in] = true;
-    g->pivot[place] = in;
-    w->g->vertex[out] = high;
-    return true;
-}
-
 /* Steps from the basis that doubles name, until its point is common or a direction shows that there
  * is none. */
 static void prove_by_steps(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
 {
-    for (int step = 0; step < COLUMNS && solve_for_point(w, s, w->g->vertex); step++) {
+    for (int step = 0; step < COLUMNS && study_basis_solve_point(w, s, w->g->vertex); step++) {
         bool high;
-        int place = find_place_outside(w, &high);
+        int place = study_basis_place_outside(w, &high);
         if (place < 0 && study_meeting_has_point(s, FMB_CONTACT_CLOSED, w->z, w->scale))
             verdict[FMB_CONTACT_CLOSED] = FMB_FEASIBLE;
         if (place < 0)
             return;
-        for (int j = 0; j < COLUMNS; j++)
-            mpz_set_ui(w->gain[j], 0);
-        if (!step_into_range(w, s, place, high)) {
+        study_basis_find_gains(w, s, NULL);
+        if (!study_basis_step_into_range(w, s, place, high)) {
             prove_by_direction(w, s, verdict);
             return;
         }
@@ -464,24 +293,23 @@ bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q)
     return fmb_general_load(w->g, p, q) && fmb_general_find_vertex(w->g) == FMB_GENERAL_GO;
 }
 
-/* Steps from the basis that doubles name, until its point is common; prices are those of the basis
- * then. */
+/* Steps from the basis that doubles name, until its point is common and nothing gains; prices are
+ * those of the basis then. */
 static bool walk_to_end(study_proposer *w, study_meeting *s, const study_form *f)
 {
-    for (int step = 0; step < COLUMNS; step++) {
+    for (int step = 0; step < MOST_STEPS; step++) {
         bool high;
-        if (!solve_for_point(w, s, w->g->vertex))
+        if (!study_basis_solve_point(w, s, w->g->vertex))
             return false;
-        int place = find_place_outside(w, &high);
+        int place = study_basis_place_outside(w, &high);
         if (place < 0)
             keep_point(w, s);
-        if (!solve_for_form(w, s, f))
+        if (!study_basis_solve_form(w, s, f))
             return false;
-        if (place < 0)
-            return true;
-        find_gains(w, s, f);
-        if (!step_into_range(w, s, place, high))
-            return false;
+        study_basis_find_gains(w, s, f);
+        if (!(place < 0 ? study_basis_step_to_end(w, s)
+                        : study_basis_step_into_range(w, s, place, high)))
+            return place < 0;
     }
     return false;
 }
@@ -491,7 +319,8 @@ bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, d
     double cost[COLUMNS], y[ROWS];
     bool proved = false;
     set_cost(w, s, f, cost);
-    if (!fmb_general_maximize(w->g, cost, y) || !walk_to_end(w, s, f))
+    (void)fmb_general_maximize(w->g, cost, y);
+    if (!walk_to_end(w, s, f))
         return false;
     for (int k = w->points; !proved && k-- > 0;)
         proved =

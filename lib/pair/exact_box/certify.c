@@ -16,6 +16,8 @@
 enum { DIM = FMB_EXACT_BOX_DIM };
 
 #define UNIT 0x1p-53
+#define SMALL                                                                                      \
+    (8 * FMB_WIDE_LEAST) /* more than costs and products may be off where they are small */
 
 /* ---- apart -----------------------------------------------------------------------------------
  *
@@ -42,7 +44,7 @@ static bool is_beyond_all(const fmb_exact_box_program *s, const double *w)
             most[group] = part;
     }
     left -= most[0] + most[1];
-    return left > (s->dim + s->columns + 8) * (s->columns + 1) * UNIT * size;
+    return left > (s->dim + s->columns + 8) * (s->columns + 1) * UNIT * size + SMALL;
 }
 
 bool fmb_exact_box_are_apart(const fmb_exact_box *v, const double *weight)
@@ -113,7 +115,7 @@ static double near_gain(const fmb_exact_box *v, const priced_goal *g, int j, dou
         gain -= absolute_gain(v, g, reference);
         size += fabs(g->cost[reference].near) + g->size;
     }
-    *error = (v->program->dim + 8) * UNIT * size;
+    *error = size > 0 ? (v->program->dim + 8) * UNIT * size + SMALL : 0;
     return gain;
 }
 

@@ -88,6 +88,7 @@ static double near_value_of_goal(const exact_boxer *b, const fmb_exact_box_goal 
 static bool is_end_visited(exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     double most = -INFINITY;
+    b->at = 0;
     for (int k = 0; k < b->points; k++) {
         double value = near_value_of_goal(b, goal, k);
         if (value > most) {
@@ -188,9 +189,8 @@ static double coordinate_of_point(exact_boxer *b, const fmb_frame *p, int k, int
     const double *z = b->near[k];
     bool by_corners = fmb_frame_is_by_corners(p->shape);
     if (!b->is_near[k])
-        return ldexp(
-            fmb_exact_box_value_roughly(&b->point[k], &(fmb_exact_box_goal){true, i, false}),
-            -b->program.exponent[i]);
+        return fmb_exact_box_value_roughly(&b->point[k], &(fmb_exact_box_goal){true, i, false},
+                                           b->program.exponent[i]);
     double x = p->origin[i] + (p->speed ? z[b->program.time] * p->speed[i] : 0);
     for (int l = 0; l < p->naxes; l++)
         x += z[l] * (p->axes[l * p->dim + i] - (by_corners ? p->origin[i] : 0));
@@ -216,6 +216,45 @@ static void copy_ends(double *to, const double *from, int n)
     for (int i = 0; to && i < 2 * n; i++)
         to[i] = from[i];
 }
+
+static bool answer(exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
+                   const fmb_pair_answers *out)
+{
+    box_answer found = {.end[TIME] = {0, 1}};
+    if (!fmb_exact_box_load(&b->program, p, q) || find_vertex(b, false) != FMB_FEASIBLE)
+        return false;
+    list_goals(b, out->world, out->inside, out->time);
+    if (!find_ends(b) || !write_wanted_ends(b, write_rounded_end, &found) ||
+        (b->points == 0 && !take_state_of_basis(b, &b->walk.basis)))
+        return false;
+    copy_ends(out->world, found.end[WORLD], p->dim);
+    copy_ends(out->inside, found.end[INSIDE], q->naxes);
+    copy_ends(out->time, found.end[TIME], 1);
+    if (out->witness)
+        write_mean_of_extreme_points(b, p, out->witness);
+    return true;
+}
+
+#ifdef FMB_WIDE_LONG
+
+bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
+                         fmb_mem *mem)
+{
+    exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
+    bool done = b && answer(b, p, q, out);
+    fmb_mem_put(mem, b, 1, sizeof *b);
+    return done;
+}
+
+#else
+
+bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
+{
+    exact_boxer b;
+    return answer(&b, p, q, out);
+}
+
+/* ---- verdicts -------------------------------------------------------------------------------- */
 
 /* Is some common point off that end of unknown j's place? UNKNOWN if that was not proved. */
 static fmb_verdict find_point_off_end(exact_boxer *b, int j, bool high)
@@ -259,24 +298,6 @@ bool fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q)
     forget_points(&b);
     return fmb_exact_box_load(&b.program, p, q) && fmb_exact_box_walk_start(&b.walk, &b.program) &&
            take_state_of_basis(&b, &b.walk.basis);
-}
-
-bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
-{
-    exact_boxer b;
-    box_answer found = {.end[TIME] = {0, 1}};
-    if (!fmb_exact_box_load(&b.program, p, q) || find_vertex(&b, false) != FMB_FEASIBLE)
-        return false;
-    list_goals(&b, out->world, out->inside, out->time);
-    if (!find_ends(&b) || !write_wanted_ends(&b, write_rounded_end, &found) ||
-        (b.points == 0 && !take_state_of_basis(&b, &b.walk.basis)))
-        return false;
-    copy_ends(out->world, found.end[WORLD], p->dim);
-    copy_ends(out->inside, found.end[INSIDE], q->naxes);
-    copy_ends(out->time, found.end[TIME], 1);
-    if (out->witness)
-        write_mean_of_extreme_points(&b, p, out->witness);
-    return true;
 }
 
 /* ---- in rationals ---------------------------------------------------------------------------- */
@@ -360,3 +381,5 @@ fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
         mpz_clear(unit[i]);
     return verdict;
 }
+
+#endif

@@ -232,44 +232,35 @@ static void load_unit_vectors(fmb_exact_box_program *s)
         }
 }
 
-/* Each number times 2^-scale[row]. */
-static void scale_vector(const fmb_exact_box_program *s, const double *scale,
-                         fmb_exact_box_vector *x)
+/* The bits of the longest number in each row. */
+static void measure_vector(const fmb_exact_box_program *s, const fmb_exact_box_vector *x, int *most)
 {
     for (int row = 0; row < s->dim; row++) {
-        x->near[row] *= scale[row];
-        x->rest[row] *= scale[row];
+        int length = fmb_wide_length(&x->whole[row]);
+        most[row] = length > most[row] ? length : most[row];
     }
 }
 
-static void round_vector(const fmb_exact_box_program *s, fmb_exact_box_vector *x, double *most)
+static void round_vector(const fmb_exact_box_program *s, fmb_exact_box_vector *x)
 {
-    for (int row = 0; row < s->dim; row++) {
-        double size = fabs(x->near[row] = fmb_wide_to_doubles(&x->whole[row], &x->rest[row]));
-        most[row] = size > most[row] ? size : most[row];
-    }
+    for (int row = 0; row < s->dim; row++)
+        x->near[row] = fmb_wide_to_doubles(&x->whole[row], s->scale[row], &x->rest[row]);
 }
 
 static void find_doubles(fmb_exact_box_program *s)
 {
-    double most[FMB_EXACT_BOX_DIM] = {0}, ignored[FMB_EXACT_BOX_DIM] = {0};
+    for (int row = 0; row < s->dim; row++)
+        s->scale[row] = 0;
+    measure_vector(s, &s->h, s->scale);
     for (int j = 0; j < s->columns; j++)
-        round_vector(s, &s->m[j], most);
-    round_vector(s, &s->h, most);
-    for (int row = 0; row < s->dim; row++) {
-        frexp(most[row], &s->scale[row]);
-        most[row] = ldexp(1, -s->scale[row]);
-    }
+        measure_vector(s, &s->m[j], s->scale);
+    round_vector(s, &s->h);
     for (int j = 0; j < s->columns; j++)
-        scale_vector(s, most, &s->m[j]);
-    scale_vector(s, most, &s->h);
+        round_vector(s, &s->m[j]);
     for (int k = 0; k < 2; k++) {
-        round_vector(s, &s->origin[k], ignored);
-        scale_vector(s, most, &s->origin[k]);
-        if (s->time >= 0) {
-            round_vector(s, &s->speed[k], ignored);
-            scale_vector(s, most, &s->speed[k]);
-        }
+        round_vector(s, &s->origin[k]);
+        if (s->time >= 0)
+            round_vector(s, &s->speed[k]);
     }
 }
 

@@ -12,6 +12,10 @@ enum { DIM = FMB_EXACT_BOX_DIM };
 
 #define CLOSE_UNIT LANE2_UNIT(true)
 
+/* What numbers count more than they are, so that the error has room for those that are off by
+ * FMB_WIDE_LEAST: CLOSE_UNIT of it is more than that. */
+#define SMALL 0x1p-760
+
 /* ---- costs ----------------------------------------------------------------------------------- */
 
 static const fmb_wide WHOLE_ZERO = {0, false, {0}}, WHOLE_ONE = {1, false, {1}};
@@ -152,7 +156,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
 {
     const fmb_exact_box_program *s = v->program;
     fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS], c = constant_of_goal(v, goal);
-    double size = fabs(c.near), off = 0;
+    double size = fabs(c.near) + SMALL, off = 0;
     bool varies = false;
     if (!v->is_near)
         return false;
@@ -161,7 +165,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
     for (int j = 0; j < s->columns; j++)
         if (fmb_exact_box_is_one(v, j)) {
             take_close(value, -cost[j].near, -cost[j].rest);
-            size += fabs(cost[j].near);
+            size += fabs(cost[j].near) + SMALL;
         }
     for (int k = 0; k < s->dim; k++) {
         int reference = fmb_exact_box_reference_of(v, v->basic[k]);
@@ -176,6 +180,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
         }
         if (most == 0)
             continue;
+        most += SMALL;
         need_close(v);
         *value = lane2_add(true, *value, lane2_times(true, close, v->close_x[k]));
         size += most * fabs(v->close_x[k].hi);
@@ -185,7 +190,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
     *error = (4 * (s->columns + s->dim) * CLOSE_UNIT * size + off) * (1 + 0x1p-40);
     if (goal->is_world && v->side == 1)
         *value = lane2_minus(*value);
-    return varies;
+    return varies && fabs(value->hi) < INFINITY && *error < INFINITY;
 }
 
 static int scale_of_goal(const fmb_exact_box *v, const fmb_exact_box_goal *goal)
@@ -193,15 +198,16 @@ static int scale_of_goal(const fmb_exact_box *v, const fmb_exact_box_goal *goal)
     return goal->is_world ? v->program->scale[goal->number] : 0;
 }
 
-double fmb_exact_box_value_roughly(fmb_exact_box *v, const fmb_exact_box_goal *goal)
+double fmb_exact_box_value_roughly(fmb_exact_box *v, const fmb_exact_box_goal *goal, int exponent)
 {
     fmb_wide numerator, denominator;
     lane2 value;
     double error;
     if (find_close_value(v, goal, &value, &error) && error <= 0x1p-53 * fabs(value.hi))
-        return ldexp(value.hi, scale_of_goal(v, goal));
+        return ldexp(value.hi, scale_of_goal(v, goal) - exponent);
     fmb_exact_box_value(v, goal, &numerator, &denominator);
-    return fmb_wide_to_double(&numerator) / fmb_wide_to_double(&denominator);
+    return ldexp(fmb_wide_to_double(&numerator) / fmb_wide_to_double(&denominator),
+                 64 * (numerator.n - denominator.n) - exponent);
 }
 
 /* ---- outward --------------------------------------------------------------------------------- */
@@ -209,32 +215,33 @@ double fmb_exact_box_value_roughly(fmb_exact_box *v, const fmb_exact_box_goal *g
 /* The value lies within an error of hi + lo; |lo| is at most half of the way from hi to the next
  * double. Where the error is less than |lo|, hi and the double behind it on the side of lo are
  * those next to the value. */
-static bool round_closely(fmb_exact_box *v, const fmb_exact_box_goal *goal, double *out)
+static bool round_closely(fmb_exact_box *v, const fmb_exact_box_goal *goal, double *x,
+                          int *exponent)
 {
     lane2 value;
     double error;
     if (!find_close_value(v, goal, &value, &error) || !(fabs(value.lo) > error))
         return false;
     bool beyond = goal->greatest == (value.lo > 0);
-    double x = beyond ? nextafter(value.hi, goal->greatest ? INFINITY : -INFINITY) : value.hi;
-    *out = ldexp(x, scale_of_goal(v, goal));
+    *x = beyond ? nextafter(value.hi, goal->greatest ? INFINITY : -INFINITY) : value.hi;
+    *exponent = scale_of_goal(v, goal);
     return true;
 }
 
-static bool round_exactly(fmb_exact_box *v, const fmb_exact_box_goal *goal, double *out)
+static double round_exactly(fmb_exact_box *v, const fmb_exact_box_goal *goal, int *exponent)
 {
     fmb_wide numerator, denominator;
     fmb_exact_box_value(v, goal, &numerator, &denominator);
-    return fmb_exact_box_round_outward(&numerator, &denominator, goal->greatest, out);
+    return fmb_exact_box_round_outward(&numerator, &denominator, goal->greatest, exponent);
 }
 
-/* The outermost double next to x 2^-exponent. It is x with another exponent, unless that is below
+/* The outermost double next to x 2^exponent. It is x with another exponent, unless that is below
  * the least normal double: there doubles are farther apart, and as x is the double next to the
  * value, and theirs are among the doubles that x was chosen from, the next one beyond x is the next
  * one beyond the value. */
 static double scale_outward(double x, int exponent, bool up)
 {
-    double out = ldexp(x, -exponent), back = ldexp(out, exponent);
+    double out = ldexp(x, exponent), back = ldexp(out, -exponent);
     bool is_inside = up ? back < x : back > x;
     return is_inside ? nextafter(out, up ? INFINITY : -INFINITY) : out;
 }
@@ -243,8 +250,9 @@ bool fmb_exact_box_value_outward(fmb_exact_box *v, const fmb_exact_box_goal *goa
                                  double *out)
 {
     double x;
-    if (!round_closely(v, goal, &x) && !round_exactly(v, goal, &x))
-        return false;
-    *out = scale_outward(x, exponent, goal->greatest);
+    int more;
+    if (!round_closely(v, goal, &x, &more))
+        x = round_exactly(v, goal, &more);
+    *out = scale_outward(x, more - exponent, goal->greatest);
     return isfinite(*out);
 }

@@ -32,10 +32,10 @@ static inline const fmb_wide *fmb_exact_box_relative_cost(const fmb_exact_box *v
  * the world. */
 void fmb_exact_box_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, fmb_wide *numerator,
                          fmb_wide *denominator);
-/* The same as a double, off by at most 2^-50 of itself. */
-double fmb_exact_box_value_roughly(fmb_exact_box *v, const fmb_exact_box_goal *goal);
+/* The value over 2^exponent as a double, off by at most 2^-50 of itself. */
+double fmb_exact_box_value_roughly(fmb_exact_box *v, const fmb_exact_box_goal *goal, int exponent);
 /* The least double that is not below (of a greatest end), or the greatest that is not above, the
- * value over 2^exponent. False: it is near the ends of what doubles are. */
+ * value over 2^exponent. False: it is beyond all doubles. */
 bool fmb_exact_box_value_outward(fmb_exact_box *v, const fmb_exact_box_goal *goal, int exponent,
                                  double *out);
 

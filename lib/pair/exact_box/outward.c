@@ -15,7 +15,7 @@ static void guess_and_correct(quotient *q, const fmb_wide *numerator, const fmb_
     double guess = fabs(fmb_wide_to_double(numerator) / fmb_wide_to_double(det));
     fmb_wide word, product;
     q->m = (uint64_t)ldexp(frexp(guess, &q->e), 53);
-    q->e -= 53;
+    q->e += 64 * (numerator->n - det->n) - 53;
     fmb_wide_copy(&q->rest, numerator);
     fmb_wide_copy(&q->unit, det);
     q->rest.minus = false;
@@ -49,17 +49,17 @@ static void keep_53_bits(quotient *q)
     }
 }
 
-bool fmb_exact_box_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
-                                 double *out)
+double fmb_exact_box_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
+                                   int *exponent)
 {
     quotient q;
-    *out = 0;
+    *exponent = 0;
     if (fmb_wide_sign(numerator) == 0)
-        return true;
+        return 0;
     guess_and_correct(&q, numerator, det);
     keep_53_bits(&q);
     bool away = up != numerator->minus && fmb_wide_sign(&q.rest) != 0;
-    double x = ldexp((double)(q.m + away), q.e);
-    *out = numerator->minus ? -x : x;
-    return x > 0x1p-960 && x < 0x1p960;
+    double x = (double)(q.m + away);
+    *exponent = q.e;
+    return numerator->minus ? -x : x;
 }

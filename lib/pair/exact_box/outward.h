@@ -4,9 +4,9 @@
 
 #include "pair/exact_box/wide.h"
 
-/* The least double that is not below (up), or the greatest that is not above, numerator / det, det
- * > 0. False: it is near the ends of what doubles are. */
-bool fmb_exact_box_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
-                                 double *out);
+/* x, of 53 bits: x 2^*exponent is the least such number that is not below (up), or the greatest
+ * that is not above, numerator / det, det > 0. */
+double fmb_exact_box_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
+                                   int *exponent);
 
 #endif

@@ -2,15 +2,27 @@
 #define FMB_LANES 1
 #include "pair/exact_box/wide.h"
 
+#include <string.h>
+
 #include "pair/kernels/lane/error_free.h"
 
-/* to += a b in magnitude; there is room for carries. */
+/* Long numbers often end in zeros: powers of two between what is large and what is small. */
+static int first_word(const fmb_wide *a)
+{
+    int i = 0;
+    while (a->word[i] == 0)
+        i++;
+    return i;
+}
+
+/* to += a b in magnitude, neither of them 0; there is room for carries. */
 static void add_product_of_words(uint64_t *to, const fmb_wide *a, const fmb_wide *b)
 {
-    for (int i = 0; i < a->n; i++) {
+    const int first = first_word(b);
+    for (int i = first_word(a); i < a->n; i++) {
         uint64_t x = a->word[i], carry = 0;
-        int k = i;
-        for (int j = 0; j < b->n; j++, k++) {
+        int k = i + first;
+        for (int j = first; j < b->n; j++, k++) {
             fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b->word[j]), to[k]);
             sum = fmb_u128_plus_word(sum, carry);
             to[k] = fmb_u128_low(sum);
@@ -140,9 +152,14 @@ void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d)
     fmb_wide_trim(a);
 }
 
-const double fmb_wide_unit[FMB_WIDE_UNITS] = {0x1p0,   0x1p64,  0x1p128, 0x1p192, 0x1p256, 0x1p320,
-                                              0x1p384, 0x1p448, 0x1p512, 0x1p576, 0x1p640, 0x1p704,
-                                              0x1p768, 0x1p832, 0x1p896, 0x1p960};
+/* 2^e, -1023 < e < 1024 */
+static double power_of_two(int e)
+{
+    uint64_t bits = (uint64_t)(e + 1023) << 52;
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
 
 /* A word exactly, as the upper 53 bits and the others. */
 static lane2 split_word(uint64_t word)
@@ -151,14 +168,17 @@ static lane2 split_word(uint64_t word)
     return (lane2){(double)(word & ~low), (double)(word & low)};
 }
 
-/* The two upper words exactly; the third is less than 2^-64 of all, what is below it 2^-128. */
-double fmb_wide_to_doubles(const fmb_wide *a, double *rest)
+/* The two upper words exactly; the third is less than 2^-64 of all, what is below it 2^-128.
+ * 2^-102 of what is at least 2^-964 is more than the least double. */
+double fmb_wide_to_doubles(const fmb_wide *a, int scale, double *rest)
 {
-    int n = a->n;
+    int n = a->n, exponent = 64 * (n - 1) - scale;
+    *rest = 0;
     if (n == 0)
-        return *rest = 0;
-    assert(n <= FMB_WIDE_UNITS);
-    double unit = a->minus ? -fmb_wide_unit[n - 1] : fmb_wide_unit[n - 1];
+        return 0;
+    if (exponent < -964 || exponent > 900)
+        return copysign(exponent < 0 ? FMB_WIDE_LEAST : INFINITY, a->minus ? -1 : 1);
+    double unit = copysign(power_of_two(exponent), a->minus ? -1 : 1);
     lane2 x = split_word(a->word[n - 1]), sum = two_sum(x.hi, x.lo);
     if (n > 1) {
         lane2 y = split_word(a->word[n - 2]), middle = two_sum(x.lo, y.hi * 0x1p-64);

@@ -2,6 +2,9 @@
  *
  * A sign and a magnitude of n words, the last of them not 0; 0 has none. Who calculates knows that
  * what comes out has at most FMB_WIDE_BITS bits.
+ *
+ * All of pair/exact_box is compiled twice: with numbers of a few words, and (FMB_WIDE_LONG) with as
+ * many as frames of any doubles in eight dimensions need, under names of its own (long_names.h).
  */
 #ifndef FMB_PAIR_WIDE_H
 #define FMB_PAIR_WIDE_H
@@ -12,8 +15,14 @@
 #include <stdint.h>
 
 #include "num/vec.h"
+#include "pair/exact_box/long_names.h"
 
-enum { FMB_WIDE_WORDS = 20, FMB_WIDE_BITS = 64 * (FMB_WIDE_WORDS - 1) };
+#ifdef FMB_WIDE_LONG
+enum { FMB_WIDE_WORDS = 568 };
+#else
+enum { FMB_WIDE_WORDS = 20 };
+#endif
+enum { FMB_WIDE_BITS = 64 * (FMB_WIDE_WORDS - 1) };
 
 typedef struct fmb_wide {
     int n;
@@ -202,24 +211,27 @@ static inline void fmb_wide_shift(fmb_wide *a, int bits)
 /* a /= d, which divides it. */
 void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d);
 
-/* 2^(64 i), as far as they are doubles */
-enum { FMB_WIDE_UNITS = 16 };
-extern const double fmb_wide_unit[FMB_WIDE_UNITS];
-
-/* Of a number of at most FMB_WIDE_UNITS words: off by at most 2^-52 of itself: what is below the
+/* a in units of its last word, 2^(64 (n - 1)), off by at most 2^-52 of itself: what is below the
  * upper two words is less than 2^-64 of it, and there are two roundings. */
 static inline double fmb_wide_to_double(const fmb_wide *a)
 {
-    if (a->n == 0)
-        return 0;
-    assert(a->n <= FMB_WIDE_UNITS);
-    double x = (double)a->word[a->n - 1] * fmb_wide_unit[a->n - 1];
+    double x = a->n > 0 ? (double)a->word[a->n - 1] : 0;
     if (a->n > 1)
-        x += (double)a->word[a->n - 2] * fmb_wide_unit[a->n - 2];
+        x += (double)a->word[a->n - 2] * 0x1p-64;
     return a->minus ? -x : x;
 }
 
-/* The double next to it, and in *rest what that is less, off by at most 2^-102 of a. */
-double fmb_wide_to_doubles(const fmb_wide *a, double *rest);
+/* Bits of the magnitude. */
+static inline int fmb_wide_length(const fmb_wide *a)
+{
+    return a->n == 0 ? 0 : 64 * a->n - __builtin_clzll(a->word[a->n - 1]);
+}
+
+/* What a number may be off by in doubles where it is as small as that. */
+#define FMB_WIDE_LEAST 0x1p-900
+
+/* The double next to a 2^-scale, and in *rest what that is less, off by at most 2^-102 of it; of
+ * what is less than FMB_WIDE_LEAST maybe that, with its sign; of what is very large infinity. */
+double fmb_wide_to_doubles(const fmb_wide *a, int scale, double *rest);
 
 #endif

@@ -3,9 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/reference/propose.h"
+#include "study/reference/basis.h"
 #include "study/reference/verdicts.h"
 #include "support/must.h"
+#include "support/pair_counts.h"
 
 enum { MOST = STUDY_MEETING_MOST_COLUMNS };
 
@@ -184,6 +185,50 @@ Test(certificate, ends_by_prices)
     study_form_clear(&f);
 }
 
+/* Is every coordinate of the world proved to end there? */
+static bool are_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q, const double *world)
+{
+    study_form f;
+    bool good = study_start_ends(w, p, q);
+    study_form_init(&f);
+    for (int i = 0; good && i < 2 * p->dim; i++) {
+        study_form_of_coordinate(&f, &meeting, i / 2, i % 2 ? 1 : -1);
+        good = study_prove_end(w, &meeting, &f, i % 2 ? world[i] : -world[i]);
+    }
+    study_form_clear(&f);
+    return good;
+}
+
+/* Frames whose numbers are as far apart as doubles can be: their tightest boxes need no exact
+ * query, and all but a few are proved. */
+Test(certificate, ends_of_long_numbers)
+{
+    static const study_pair_family FAMILY[] = {STUDY_PAIR_DENORMAL, STUDY_PAIR_RAGGED,
+                                               STUDY_PAIR_SPREAD, STUDY_PAIR_SCALED};
+    int asked = 0, proved = 0;
+    for (int i = 0; i < 240; i++) {
+        study_pair_plan plan = {.family = FAMILY[i % 4], .dim = 2 + i / 4 % 4, .moves = i / 16 % 2};
+        double world[2 * STUDY_PAIR_MOST_DIM];
+        fmb_verdict said;
+        fmb_pair_options o = {.size = sizeof o, .tightest = true};
+        fmb_pair_answers out = {.size = sizeof out, .verdict = &said, .world = world};
+        fmb_pair *pair = NULL;
+        study_proposer *w = study_proposer_open(plan.dim);
+        study_pair x;
+        plan.shape[0] = plan.shape[1] = STUDY_PAIR_ANY_SHAPE;
+        study_pair_draw(&plan, 11, (uint64_t)i, &x);
+        must(fmb_pair_new(plan.dim, &o, NULL, &pair));
+        must(fmb_pair_test(pair, 1, &x.p, &x.q, &out));
+        cr_assert(w && study_meeting_load(&meeting, &x.p, &x.q));
+        asked += said == FMB_FEASIBLE;
+        proved += said == FMB_FEASIBLE && are_ends(w, &x.p, &x.q, world);
+        cr_expect_eq(counts_of_pairs(pair).exact_boxes, 0u, "pair %d", i);
+        fmb_pair_free(pair);
+        study_proposer_close(w);
+    }
+    cr_expect(asked > 60 && proved > asked * 9 / 10, "%d of %d", proved, asked);
+}
+
 /* ---- what is accepted is true ---------------------------------------------------------------- */
 
 static fmb_verdict ask(fmb_contact contact, const fmb_frame *p, const fmb_frame *q)
@@ -238,6 +283,25 @@ Test(certificate, what_is_accepted_is_true)
     for (int contact = 0; contact < 2; contact++)
         cr_expect(accepted[contact][0] > 10 && accepted[contact][1] > 10, "%d %d",
                   accepted[contact][0], accepted[contact][1]);
+}
+
+/* Doubles that are no numbers, or too large for whole ones, name no point: they count as 0. */
+Test(certificate, doubles_that_name_no_point)
+{
+    const double wrong[] = {NAN, INFINITY, -INFINITY, 0x1p1000};
+    study_proposer *w = study_proposer_open(2);
+    cr_assert(w && study_meeting_load(&meeting, &SQUARE, &BESIDE));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        double at[MOST + 2];
+        cr_assert(study_start_ends(w, &SQUARE, &BESIDE));
+        for (int j = 0; j < MOST + 2; j++)
+            at[j] = wrong[i];
+        cr_assert(study_basis_solve_point(w, &meeting, at));
+        for (int j = 0; j < meeting.columns; j++)
+            cr_expect(w->g->program.is_pivot[j] || mpz_sgn(w->z[j]) == 0);
+        cr_expect(mpz_sgn(w->scale) > 0);
+    }
+    study_proposer_close(w);
 }
 
 /* Verdicts that are proved are those of the exact way, and few are left to it. */
