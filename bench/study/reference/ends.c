@@ -64,11 +64,62 @@ unsigned study_box_faults(const fmb_frame *p, const fmb_frame *q, const fmb_pair
            compare(ours->time, exact->time, 1, 1, tightest, excess);
 }
 
+static double size_of_neighbourhood(const fmb_frame *p, const fmb_frame *q)
+{
+    return slack * study_largest_coordinate(p, q) + 0x1p-1073;
+}
+
+/* In twice as many dimensions: v, and v again or nothing. */
+static void put_twice(int dim, const double *v, bool again, double *out)
+{
+    for (int j = 0; j < dim; j++) {
+        out[j] = v[j];
+        out[dim + j] = again ? v[j] : 0;
+    }
+}
+
+/* f with its axes and speed put so. */
+static void put_frame_twice(const fmb_frame *f, bool again, double *number, fmb_frame *out)
+{
+    int dim = f->dim;
+    double *axes = number + 4 * dim;
+    *out =
+        (fmb_frame){f->shape, 2 * dim, f->naxes, number, axes, f->speed ? number + 2 * dim : NULL};
+    put_twice(dim, f->origin, again, number);
+    if (f->speed)
+        put_twice(dim, f->speed, again, number + 2 * dim);
+    for (int k = 0; k < f->naxes; k++)
+        put_twice(dim, f->axes + k * dim, again, axes + 2 * dim * k);
+}
+
+/* All (u, u) with u in one frame, and all (v, x) with v in the other, which is a cuboid, at any
+ * time the same, x in the neighbourhood. */
+bool study_witness_frames(const fmb_frame *p, const fmb_frame *q, const double *x,
+                          study_witness_pair *out)
+{
+    int dim = p->dim;
+    bool turn = q->shape != FMB_CUBOID;
+    const fmb_frame *one = turn ? q : p, *other = turn ? p : q;
+    double near = size_of_neighbourhood(p, q);
+    if (other->shape != FMB_CUBOID || 2 * dim > STUDY_PAIR_MOST_DIM)
+        return false;
+    put_frame_twice(one, true, out->number[0], &out->frame[0]);
+    put_frame_twice(other, false, out->number[1], &out->frame[1]);
+    double *origin = out->number[1], *axis = origin + 4 * dim + 2 * dim * other->naxes;
+    for (int j = 0; j < dim; j++, axis += 2 * dim) {
+        origin[dim + j] = x[j] - near;
+        for (int i = 0; i < 2 * dim; i++)
+            axis[i] = i == dim + j ? 2 * near : 0;
+    }
+    out->frame[1].naxes += dim;
+    return true;
+}
+
 fmb_status study_witness_system(const fmb_frame *p, const fmb_frame *q, const double *x,
                                 fmb_system **out)
 {
     double corner[STUDY_PAIR_MOST_DIM], axes[STUDY_PAIR_MOST_DIM * STUDY_PAIR_MOST_DIM] = {0};
-    double near = slack * study_largest_coordinate(p, q) + 0x1p-1073;
+    double near = size_of_neighbourhood(p, q);
     for (int j = 0; j < p->dim; j++) {
         corner[j] = x[j] - near;
         axes[j * p->dim + j] = 2 * near;

@@ -1,6 +1,8 @@
 /* equations.c: see equations.h. */
 #include "study/reference/equations.h"
 
+#include <limits.h>
+
 void study_equations_init(study_equations *e)
 {
     for (int i = 0; i < STUDY_EQUATIONS_MOST; i++) {
@@ -46,10 +48,50 @@ static void eliminate(study_equations *e, int n, int i, int k)
     }
 }
 
-/* The method is that of Bareiss (Mathematics of Computation 22, 1968): all that is left are minors.
+/* The power of 2 that all numbers of column j, or of row i, have in common, goes; their exponent.
  */
+static mp_bitcnt_t shorten_column(study_equations *e, int n, int j)
+{
+    mp_bitcnt_t least = ULONG_MAX;
+    for (int i = 0; i < n; i++)
+        if (mpz_sgn(e->a[i][j]) != 0 && mpz_scan1(e->a[i][j], 0) < least)
+            least = mpz_scan1(e->a[i][j], 0);
+    for (int i = 0; least != ULONG_MAX && i < n; i++)
+        mpz_tdiv_q_2exp(e->a[i][j], e->a[i][j], least);
+    return least == ULONG_MAX ? 0 : least;
+}
+
+static void shorten_row(study_equations *e, int n, int i)
+{
+    mp_bitcnt_t least = ULONG_MAX;
+    for (int j = 0; j <= n; j++)
+        if (mpz_sgn(e->a[i][j]) != 0 && mpz_scan1(e->a[i][j], 0) < least)
+            least = mpz_scan1(e->a[i][j], 0);
+    for (int j = 0; least != ULONG_MAX && j <= n; j++)
+        mpz_tdiv_q_2exp(e->a[i][j], e->a[i][j], least);
+}
+
+/* Column j was 2^down[j] times what it is: x_j is 2^-down[j] times what was found. */
+static void lengthen_solution(study_equations *e, int n, const mp_bitcnt_t *down)
+{
+    mp_bitcnt_t most = 0;
+    for (int j = 0; j < n; j++)
+        most = down[j] > most ? down[j] : most;
+    for (int j = 0; j < n; j++)
+        mpz_mul_2exp(e->x[j], e->x[j], most - down[j]);
+    mpz_mul_2exp(e->divisor, e->divisor, most);
+}
+
+/* The method is that of Bareiss (Mathematics of Computation 22, 1968): all that is left are minors.
+ * Numbers of frames of very different size have powers of 2 in common, which would be in all of
+ * them. */
 bool study_equations_solve(study_equations *e, int n)
 {
+    mp_bitcnt_t down[STUDY_EQUATIONS_MOST];
+    for (int j = 0; j < n; j++)
+        down[j] = shorten_column(e, n, j);
+    for (int i = 0; i < n; i++)
+        shorten_row(e, n, i);
     for (int k = 0; k < n; k++) {
         if (!take_pivot(e, n, k))
             return false;
@@ -66,5 +108,6 @@ bool study_equations_solve(study_equations *e, int n)
     for (int i = 0; mpz_sgn(e->divisor) < 0 && i < n; i++)
         mpz_neg(e->x[i], e->x[i]);
     mpz_abs(e->divisor, e->divisor);
+    lengthen_solution(e, n, down);
     return true;
 }

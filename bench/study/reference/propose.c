@@ -141,7 +141,7 @@ static int find_pivot_of_direction(const study_proposer *w, const double *y)
  * is none. */
 static void prove_by_steps(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
 {
-    for (int step = 0; step < COLUMNS && study_basis_solve_point(w, s, w->g->vertex); step++) {
+    for (int step = 0; step < MOST_STEPS && study_basis_solve_point(w, s, w->g->vertex); step++) {
         bool high;
         int place = study_basis_place_outside(w, &high);
         if (place < 0 && study_meeting_has_point(s, FMB_CONTACT_CLOSED, w->z, w->scale))
@@ -290,7 +290,7 @@ static void keep_point(study_proposer *w, study_meeting *s)
 bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q)
 {
     w->points = 0;
-    return fmb_general_load(w->g, p, q) && fmb_general_find_vertex(w->g) == FMB_GENERAL_GO;
+    return fmb_general_load(w->g, p, q) && fmb_general_find_vertex(w->g) != FMB_GENERAL_LOST;
 }
 
 /* Steps from the basis that doubles name, until its point is common and nothing gains; prices are

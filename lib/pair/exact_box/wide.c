@@ -136,6 +136,8 @@ void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d)
     int words = a->n - odd.n + 1;
     for (int i = 0; i < words; i++) {
         uint64_t q = a->word[i] * inverse, carry = 0;
+        if (q == 0)
+            continue;
         for (int j = 0; j < odd.n && i + j < words; j++) {
             fmb_u128 product = fmb_u128_plus_word(fmb_u128_product(q, odd.word[j]), carry);
             carry = fmb_u128_high(product) + (a->word[i + j] < fmb_u128_low(product));

@@ -171,7 +171,10 @@ static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb
     for (int j = 0; j < b->n; j++)
         out->word[j] = 0;
     for (int i = 0; i < a->n; i++)
-        fmb_wide_add_row(out, i, a->word[i], b);
+        if (a->word[i] != 0)
+            fmb_wide_add_row(out, i, a->word[i], b);
+        else
+            out->word[i + b->n] = 0;
     out->n = a->n + b->n;
     out->minus = a->minus != b->minus;
     fmb_wide_trim(out);
