@@ -4,7 +4,7 @@
  * what comes out has at most FMB_WIDE_BITS bits.
  *
  * All of pair/exact_box is compiled twice: with numbers of a few words, and (FMB_WIDE_LONG) with as
- * many as frames of any doubles in eight dimensions need, under names of its own (long_names.h).
+ * many as frames of any doubles in eight dimensions need, under names of its own, which stand here.
  */
 #ifndef FMB_PAIR_WIDE_H
 #define FMB_PAIR_WIDE_H
@@ -15,9 +15,35 @@
 #include <stdint.h>
 
 #include "num/vec.h"
-#include "pair/exact_box/long_names.h"
 
 #ifdef FMB_WIDE_LONG
+#define fmb_exact_box_are_apart     fmb_long_box_are_apart
+#define fmb_exact_box_is_farthest   fmb_long_box_is_farthest
+#define fmb_exact_box_find_prices   fmb_long_box_find_prices
+#define fmb_exact_box_find_loss     fmb_long_box_find_loss
+#define fmb_exact_box_load_q        fmb_long_box_load_q
+#define fmb_exact_box_load          fmb_long_box_load
+#define fmb_exact_box_list_costs    fmb_long_box_list_costs
+#define fmb_exact_box_value         fmb_long_box_value
+#define fmb_exact_box_value_roughly fmb_long_box_value_roughly
+#define fmb_exact_box_value_outward fmb_long_box_value_outward
+#define fmb_exact_box_walk_exactly  fmb_long_box_walk_exactly
+#define fmb_exact_box_round_outward fmb_long_box_round_outward
+#define fmb_exact_box_state         fmb_long_box_state
+#define fmb_exact_box_is_off_end    fmb_long_box_is_off_end
+#define fmb_exact_box_near_values   fmb_long_box_near_values
+#define fmb_exact_box_take_basis    fmb_long_box_take_basis
+#define fmb_exact_box_bound_way     fmb_long_box_bound_way
+#define fmb_exact_box_need_whole    fmb_long_box_need_whole
+#define fmb_exact_box_need_low      fmb_long_box_need_low
+#define fmb_exact_box_find_low      fmb_long_box_find_low
+#define fmb_exact_box_remainder     fmb_long_box_remainder
+#define fmb_exact_box_list_column   fmb_long_box_list_column
+#define fmb_exact_box_walk_start    fmb_long_box_walk_start
+#define fmb_exact_box_walk_to       fmb_long_box_walk_to
+#define fmb_wide_dot                fmb_long_number_dot
+#define fmb_wide_divide_exactly     fmb_long_number_divide_exactly
+#define fmb_wide_to_doubles         fmb_long_number_to_doubles
 enum { FMB_WIDE_WORDS = 568 };
 #else
 enum { FMB_WIDE_WORDS = 20 };
