@@ -29,7 +29,9 @@ static void list_entries(const fmb_exact_box_program *s, const int *basic, const
 }
 
 /* At least |det P|, by Hadamard: the product of the lengths of its columns, each scaled entry being
- * off by less than 2^-50; and what rows are scaled by. */
+ * off by less than 2^-50; and what rows are scaled by. Artificial columns are not scaled, and
+ * longer here than they should be by as much as their unknowns are less: products of both are
+ * bounded. */
 static double bound_det(const fmb_exact_box_program *s, const int *basic, const int *reference)
 {
     double most = 1 + 0x1p-40;
