@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "lp/simplex/first_basis.h"
 #include "lp/simplex/simplex_methods.h"
 
 /* Bounds that are farther from 0 are no place to begin. */
@@ -97,15 +98,16 @@ static fmb_status lean_cost(fmb_simplex_state *o, const double *lean)
 
 static fmb_status search(fmb_simplex_state *o, const double *lean, fmb_hint *h)
 {
-    fmb_status st = FMB_OK;
-    if (!o->placed)
-        st = start_at_bounds(o, lean);
+    bool first = !o->placed;
+    fmb_status st = first ? start_at_bounds(o, lean) : FMB_OK;
     o->placed = true;
     o->steps = 0;
     o->nudge = lean ? NUDGE_OF_COST : NUDGE;
     memset(o->cost, 0, o->n * sizeof *o->cost);
     if (st == FMB_OK && lean)
         st = lean_cost(o, lean);
+    if (st == FMB_OK && first)
+        st = fmb_first_basis(o);
     if (st == FMB_OK)
         st = search_on(o, h);
     hand_out_members(o, h);
