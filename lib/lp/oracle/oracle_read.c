@@ -10,11 +10,27 @@ static fmb_status set_ratio(const fmb_oracle *o, mpq_t to, const mpz_t num, cons
     return fmb_long_divide(to, den, &poll);
 }
 
+/* Is q = num / den already? Two products tell sooner than a greatest common divisor. */
+static bool is_ratio(const mpq_t q, const mpz_t num, const mpz_t den)
+{
+    if (mpz_sgn(num) == 0 || mpz_sgn(num) != mpq_sgn(q))
+        return mpz_sgn(num) == mpq_sgn(q);
+    mpz_t a, b;
+    mpz_inits(a, b, NULL);
+    mpz_mul(a, num, mpq_denref(q));
+    mpz_mul(b, mpq_numref(q), den);
+    bool is = mpz_cmp(a, b) == 0;
+    mpz_clears(a, b, NULL);
+    return is;
+}
+
 static fmb_status set_ratios(const fmb_oracle *o, mpq_t *x, mpz_t *num, const mpz_t den)
 {
-    for (size_t j = 0; j < o->n; j++)
-        FMB_TRY(set_ratio(o, x[j], num[j], den));
-    return FMB_OK;
+    fmb_status st = FMB_OK;
+    for (size_t j = 0; st == FMB_OK && j < o->n; j++)
+        if (!is_ratio(x[j], num[j], den))
+            st = set_ratio(o, x[j], num[j], den);
+    return st;
 }
 
 fmb_status fmb_oracle_point(const fmb_oracle *o, mpq_t *x)

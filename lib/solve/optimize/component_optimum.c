@@ -77,6 +77,8 @@ static fmb_status read_optimum_of_oracle(fmb_query *q, const fmb_part *p, const 
 {
     k->kind = FMB_END_FINITE;
     fmb_status st = fmb_oracle_value(o, k->value);
+    for (int j = 0; j < p->n; j++) /* as often as not, it is the solution that was found first */
+        mpq_set(k->x[j], q->point[p->var[j]]);
     if (st == FMB_OK)
         st = fmb_oracle_point(o, k->x);
     if (st == FMB_OK && q->claims)
