@@ -46,12 +46,13 @@ static fmb_status reserve_list(fmb_strips *l, fmb_arena *arena, int i, int more)
     return FMB_OK;
 }
 
+/* Looked for from the end: of lines of equal length, buckets hand out the last first. */
 static void drop_from_list(fmb_strips *l, int i, int entry)
 {
-    int *e = l->entry + l->start[i], k = 0;
+    int *e = l->entry + l->start[i], k = --l->size[i], last = e[k];
     while (e[k] != entry)
-        k++;
-    e[k] = e[--l->size[i]];
+        k--;
+    e[k] = last;
 }
 
 /* ---- buckets --------------------------------------------------------------------------------- */
