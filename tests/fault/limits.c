@@ -67,7 +67,7 @@ static void every_limit(set_limit *set, size_t most, fmb_stop stop, fmb_method m
             bool needs_rows = VERBS[q].ask == VERBS[0].ask || !strstr(truth, "infeasible");
             cr_expect(tightest == stop || (set == set_rows && !needs_rows), "%s: no limit at 1",
                       VERBS[q].name);
-            for (size_t k = 2; k < most; k += 1 + k / 16) {
+            for (size_t k = 2; k < most; k += 1 + k * WATCHED / 16) {
                 set(&o, k);
                 ask(&VERBS[q], &o, s, stop, truth);
             }
@@ -113,10 +113,10 @@ Test(limits, polygon)
     fmb_solver_free(v);
     set_bytes(&o, 1);
     for (size_t k = 1; ask(&VERBS[1], &o, s, FMB_STOP_BYTES, truth) != FMB_STOP_DONE; tries++) {
-        k += 1 + k / 512;
+        k += 1 + k * WATCHED / 512;
         set_bytes(&o, k);
     }
-    cr_expect_gt(tries, 100);
+    cr_expect_gt(tries, 100 / WATCHED);
     fmb_system_free(s);
 }
 

@@ -1,5 +1,5 @@
-/* memory.c: the k-th allocation fails, for every k; under sanitizers for every sixth one, as each
- * takes seven times as long there.
+/* memory.c: the k-th allocation fails, for every k; under sanitizers for every eleventh
+ * one, as each takes seven times as long there.
  *
  * Each time: the status is MEMORY, out arguments are untouched, the same solver then gives the
  * right answer, and when everything is freed not one byte is left.
@@ -11,10 +11,6 @@
 #include "property/random/rows.h"
 #include "samples.h"
 #include "verbs.h"
-
-#ifndef REQUEST_STEP
-#define REQUEST_STEP 1
-#endif
 
 static const char *const RULES[] = {NULL, "none", "kohler", "duplicate,kohler"};
 
@@ -69,7 +65,7 @@ static void every_request(const verb *w, int i, fmb_method method, const char *r
     fmb_solver_free(v);
     cr_assert_eq(h.live, before);
     bool past = false;
-    for (size_t k = 1 + (size_t)i % REQUEST_STEP; !past; k += REQUEST_STEP) {
+    for (size_t k = 1 + (size_t)i % WATCHED; !past; k += WATCHED) {
         v = solver(&h, method, rules);
         past = fails_well(w, &h, v, s, k, forever, truth);
         fmb_solver_free(v);
@@ -131,7 +127,7 @@ Test(memory, one_solver)
             fmb_result r = {.size = sizeof r};
             must(VERBS[q].ask(v, s, &r, truth));
             bool past = false;
-            for (size_t k = 1; !past; k += REQUEST_STEP)
+            for (size_t k = 1; !past; k += WATCHED)
                 past = fails_well(&VERBS[q], &h, v, s, k, false, truth);
         }
         fmb_system_free(s);
@@ -171,7 +167,7 @@ static void every_large(const verb *w, int n, int m)
     char truth[VERB_ANSWER] = "";
     fmb_result r = {.size = sizeof r};
     must(w->ask(v, s, &r, truth));
-    for (size_t k = 1; !fails_well(w, &h, v, s, k, false, truth); k += REQUEST_STEP)
+    for (size_t k = 1; !fails_well(w, &h, v, s, k, false, truth); k += WATCHED)
         ;
     fmb_system_free(s);
     fmb_solver_free(v);

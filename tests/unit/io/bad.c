@@ -100,14 +100,15 @@ Test(bad, failing_allocations)
 
 typedef struct heap {
     fmb_format format;
-    const char *before, *unit, *after; /* unit is repeated up to a megabyte */
+    const char *before, *unit,
+        *after; /* unit is repeated up to a megabyte, less under sanitizers */
     fmb_status expected;
 } heap;
 
 static char *pile_up(const heap *h, size_t *size)
 {
     size_t before = strlen(h->before), unit = strlen(h->unit), after = strlen(h->after);
-    size_t n = ((size_t)1 << 20) / unit;
+    size_t n = ((size_t)1 << 20) / WATCHED / unit;
     char *text = malloc(before + n * unit + after);
     cr_assert(text);
     memcpy(text, h->before, before);

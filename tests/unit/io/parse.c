@@ -164,7 +164,7 @@ fmb_alloc countdown_alloc(countdown *c)
 void check_every_failure(fmb_format f, const char *text, size_t size, fmb_status expected)
 {
     fmb_status st = FMB_ERR_MEMORY;
-    for (size_t k = 0; st == FMB_ERR_MEMORY && k < 100000; k++) {
+    for (size_t k = 0; st == FMB_ERR_MEMORY && k < 100000; k += WATCHED) {
         countdown c = {.left = k};
         fmb_alloc mem = countdown_alloc(&c);
         fmb_system *s = NULL;

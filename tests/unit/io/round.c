@@ -95,7 +95,7 @@ static fmb_system *random_system(uint64_t *seed, bool marks)
 /* named: names and labels come back; marks: so do marks. */
 static void check_round(fmb_format f, bool named, bool marks)
 {
-    for (uint64_t i = 0; i < 2000; i++) {
+    for (uint64_t i = 0; i < 2000 / WATCHED; i++) {
         uint64_t seed = i;
         fmb_system *s = random_system(&seed, marks);
         char *text = write_text(s, f);
@@ -248,7 +248,7 @@ static bool is_same_objective(const fmb_system *a, const fmb_system *b)
 
 static void check_program_round(fmb_format f)
 {
-    for (uint64_t i = 0; i < 2000; i++) {
+    for (uint64_t i = 0; i < 2000 / WATCHED; i++) {
         uint64_t seed = i;
         fmb_system *s = random_program(&seed);
         char *text = write_text(s, f);

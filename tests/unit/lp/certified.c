@@ -6,7 +6,7 @@
 #include "support.h"
 #include "system/system_private.h"
 
-enum { COUNT = 400 };
+enum { COUNT = 400 / WATCHED };
 
 /* The rows of a system, as a program and as dense rows; all columns. */
 typedef struct bench {

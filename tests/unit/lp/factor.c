@@ -392,7 +392,7 @@ Test(factor, limits_on_memory_leave_nothing_behind)
             support_integer(&g, 70, right[i]);
         cr_assert_eq(solve_once(&b, right, x, den), FMB_OK);
         size_t used = b.mem.used, peak = b.mem.peak;
-        for (size_t part = 1; part < 60; part++) {
+        for (size_t part = 1; part < 60; part += WATCHED) {
             b.mem.limit = used + (peak - used) * part / 60;
             cr_assert_eq(solve_once(&b, right, x, den), FMB_LIMIT);
             cr_assert_eq(b.mem.used, used);

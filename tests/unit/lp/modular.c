@@ -15,7 +15,7 @@ Test(modular, arithmetic_modulo_each_prime)
         mpz_set_ui(p, q.p);
         cr_assert(mpz_probab_prime_p(p, 30));
         cr_assert_eq(q.p * q.inverse, 1);
-        for (int s = 0; s < 2000; s++) {
+        for (int s = 0; s < 2000 / WATCHED; s++) {
             uint64_t high = s < 2 ? UINT64_MAX : support_next(&g);
             uint64_t low = s % 2 ? UINT64_MAX : support_next(&g);
             mpz_set_ui(x, high);
@@ -40,7 +40,7 @@ Test(modular, fractions_come_back_from_residues)
     mpz_t m, y, a, b, num, den, t;
     fmb_rational_init(&w);
     mpz_inits(m, y, a, b, num, den, t, NULL);
-    for (int k = 0; k < 3000; k++) {
+    for (int k = 0; k < 3000 / WATCHED; k++) {
         int a_bits = support_between(&g, 1, k % 10 ? 150 : 2000);
         int b_bits = support_between(&g, 1, k % 10 ? 150 : 2000);
         mpz_set_ui(m, 1);

@@ -21,7 +21,11 @@ static const fmb_pair_kernels *kernels_of(int width)
 {
     static const fmb_simd level[WIDTHS] = {FMB_SIMD_AUTO, FMB_SIMD_PLAIN, FMB_SIMD_AVX2,
                                            FMB_SIMD_AVX512};
-    return width == 0 ? &kernels_plain : fmb_pair_kernels_choose(level[width]);
+#ifdef HAVE_PLAIN
+    if (width == 0)
+        return &kernels_plain;
+#endif
+    return width == 0 ? NULL : fmb_pair_kernels_choose(level[width]);
 }
 
 static fmb_box_kernel *kernel_of(const fmb_pair_kernels *k, int level, const fmb_frame *p,

@@ -19,7 +19,9 @@ static int widths(const fmb_pair_kernels *out[WIDTHS])
 {
     const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
     int n = 0;
+#ifdef HAVE_PLAIN
     out[n++] = &kernels_plain;
+#endif
     for (int i = 0; i < 3; i++) {
         const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
         if (k && k->width > 1)

@@ -86,9 +86,10 @@ Test(general, never_wrong)
 {
     for (int dim = 1; dim <= 8; dim++) {
         judge j = judge_open(dim, FMB_SIMD_AUTO);
+        int pairs = dim < 4 ? 200 : dim < 6 ? 40 : 6;
         for (int of = 0; of < FAMILIES; of++)
             for (int faces = 0; faces < 2; faces++)
-                judge_family(&j, (family)of, dim, faces, dim < 4 ? 200 : dim < 6 ? 40 : 6);
+                judge_family(&j, (family)of, dim, faces, (pairs - 1) / WATCHED + 1);
         judge_close(&j);
     }
 }
@@ -98,7 +99,7 @@ Test(general, decides)
 {
     for (int dim = 1; dim <= 6; dim++) {
         judge j = judge_open(dim, FMB_SIMD_PLAIN);
-        judge_family(&j, ARTICLE, dim, false, dim < 4 ? 2000 : 300);
+        judge_family(&j, ARTICLE, dim, false, (dim < 4 ? 2000 : 300) / WATCHED);
         cr_expect_geq(j.clear, j.asked * 99 / 100);
         cr_expect_leq(j.silent * 100, j.asked, "%d of %d in %d", j.silent, j.asked, dim);
         judge_close(&j);

@@ -66,7 +66,7 @@ Test(large_spaces, max_seconds)
     const int size[][2] = {{3000, 3000}, {300, 300}, {60, 60}};
     for (size_t i = 0; i < 3; i++)
         for (int boxes = 0; boxes < 2; boxes++)
-            for (size_t seconds = 1; seconds < 60; seconds *= 3) {
+            for (size_t seconds = 1; seconds < 60; seconds *= 3 * WATCHED) {
                 fmb_pair_options o = {.size = sizeof o};
                 o.max_seconds = (double)seconds;
                 large l = large_new(size[i][0], size[i][1], o);
@@ -113,7 +113,7 @@ Test(large_spaces, cancel)
 {
     const int size[] = {2000, 300, 60};
     for (size_t i = 0; i < 3; i++)
-        for (size_t at = 1; at < 60; at *= 3) {
+        for (size_t at = 1; at < 60; at *= 3 * WATCHED) {
             fmb_pair_options o = {.size = sizeof o};
             o.max_seconds = COUNTED_FOREVER;
             large l = large_new(size[i], size[i], o);

@@ -221,7 +221,9 @@ static size_t find_tables(const fmb_minor_kernels *out[4])
 {
     const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
     size_t n = 0;
+#ifdef HAVE_PLAIN
     out[n++] = &minors_plain;
+#endif
     for (int i = 0; i < 3; i++) {
         const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
         if (k)

@@ -168,7 +168,7 @@ static void expect_agreement(const fmb_options *o, const fmb_rule *rule, uint64_
 Test(bounds, in_every_way)
 {
     static const char *const rules[] = {"none", "kohler", "imbert,dominated", "lp", NULL};
-    for (uint64_t seed = 0; seed < 300; seed++) {
+    for (uint64_t seed = 0; seed < 300 / WATCHED; seed++) {
         fmb_options o = {.size = sizeof o};
         o.method = FMB_METHOD_FM;
         o.evidence = FMB_EVIDENCE_ALL;

@@ -12,7 +12,7 @@ static void expect_truth(const fmb_system *s, fmb_verdict verdict)
     agree g = {.max_rows = 1000};
     truth_init(&t, s, g.max_rows);
     cr_assert_eq(t.verdict, verdict);
-    for (int i = 0; i < options_count(); i++) {
+    for (int i = 0; i < options_count(); i += WATCHED) {
         fmb_options o = options_at(i);
         fmb_solver *v = NULL;
         must(fmb_solver_new(&o, NULL, &v));

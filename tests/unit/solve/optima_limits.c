@@ -84,7 +84,7 @@ Test(optima_limits, random_ones)
     fmb_solver *v = must_open((fmb_options){.evidence = FMB_EVIDENCE_NONE});
     mpq_t best;
     mpq_init(best);
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < 300 / WATCHED; i++) {
         support_shape shape = {support_between(&g, 1, 6), support_between(&g, 3, 14), 0};
         support_case c = support_make((support_family)support_between(&g, 0, SUPPORT_FAMILIES - 1),
                                       support_next(&g), &shape);
@@ -95,8 +95,8 @@ Test(optima_limits, random_ones)
         fmb_optimum_free(o);
         support_case_clear(&c);
     }
-    cr_expect(n.cut > 300 && n.outer > 10 && n.exact > 100, "%d cut, %d outer, %d exact", n.cut,
-              n.outer, n.exact);
+    cr_expect(n.cut > 300 / WATCHED && n.outer > 10 / WATCHED && n.exact > 100 / WATCHED,
+              "%d cut, %d outer, %d exact", n.cut, n.outer, n.exact);
     mpq_clear(best);
     fmb_solver_free(v);
 }

