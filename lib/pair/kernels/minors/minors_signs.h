@@ -49,12 +49,14 @@ FMB_INLINE minors_signs minors_no_signs(void)
     return (minors_signs){{lane_of(0), lane_of(0), lane_of(0), lane_of(0)}, {0}, lane_of(INFINITY)};
 }
 
-FMB_INLINE void minors_put_sign(minors_signs *x, unsigned set, lane minor)
+/* The set of those in `less`, all below j, and j: which word that is j tells alone, up to 6. */
+FMB_INLINE void minors_put_sign(minors_signs *x, unsigned less, int j, lane minor)
 {
+    const unsigned with = 1U << j, set = less | with, w = (j > 6 ? set : with) / 64;
     const int place = (int)(set % 64);
-    lane *word = &x->word[set / 64];
-    *word = lane_or_and(lane_shift_right(*word, place - x->last[set / 64]), minor, lane_of(-0.0));
-    x->last[set / 64] = place;
+    lane *word = &x->word[w];
+    *word = lane_or_and(lane_shift_right(*word, place - x->last[w]), minor, lane_of(-0.0));
+    x->last[w] = place;
     x->least = lane_min_abs(x->least, minor);
 }
 
@@ -86,7 +88,7 @@ FMB_INLINE void minors_make_signs(minors_kind d, const minors_view *v, int k, mi
             lane minor = minors_expand(k, factor, rows->less, s);
             if (part == MINORS_KEPT)
                 to[fmb_minors_choose(j, k + 1) + s] = minor;
-            minors_put_sign(signs, minors_set(k, s) | 1U << j, minor);
+            minors_put_sign(signs, minors_set(k, s), j, minor);
         }
     }
 }
@@ -164,7 +166,7 @@ FMB_INLINE void minors_corners(minors_kind d, minors_view *v, minors_said *said)
         for (int j = 0; j < d.n; j++) {
             most = lane_max(most, row[j]);
             size = lane_max_abs(size, row[j]);
-            minors_put_sign(&signs, 1U << j, row[j]);
+            minors_put_sign(&signs, 0, j, row[j]);
         }
         minors_end_signs(d, &signs, row + d.n);
         v->size[r] = size;
