@@ -192,6 +192,15 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
                : fmb_pair_answer_all(k, n, p, q, FMB_PAIR_NEW, &ours);
 }
 
+/* Where numbers are too long for that. */
+static fmb_verdict answer_long(const fmb_frame_q *p, const fmb_frame_q *q,
+                               const fmb_pair_answers_q *out)
+{
+    fmb_mem mem;
+    fmb_mem_init(&mem, NULL, 0);
+    return fmb_long_box_answer_q(p, q, out, &mem);
+}
+
 fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                              const fmb_pair_answers_q *out, fmb_verdict *verdict)
 {
@@ -200,5 +209,7 @@ fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
         !fmb_frame_q_is_good(p, p->dim) || !fmb_frame_q_is_good(q, p->dim))
         return FMB_ERR_ARG;
     *verdict = fmb_exact_box_answer_q(p, q, &ours);
+    if (*verdict == FMB_UNKNOWN)
+        *verdict = answer_long(p, q, &ours);
     return FMB_OK;
 }

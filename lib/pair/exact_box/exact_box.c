@@ -235,71 +235,6 @@ static bool answer(exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
     return true;
 }
 
-#ifdef FMB_WIDE_LONG
-
-bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
-                         fmb_mem *mem)
-{
-    exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
-    bool done = b && answer(b, p, q, out);
-    fmb_mem_put(mem, b, 1, sizeof *b);
-    return done;
-}
-
-#else
-
-bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
-{
-    exact_boxer b;
-    return answer(&b, p, q, out);
-}
-
-/* ---- verdicts -------------------------------------------------------------------------------- */
-
-/* Is some common point off that end of unknown j's place? UNKNOWN if that was not proved. */
-static fmb_verdict find_point_off_end(exact_boxer *b, int j, bool high)
-{
-    for (int k = 0; k < b->points; k++)
-        if (fmb_exact_box_is_off_end(&b->point[k], j, high))
-            return FMB_FEASIBLE;
-    if (!take_state_at_end(b, &(fmb_exact_box_goal){false, j, !high}))
-        return FMB_UNKNOWN;
-    return fmb_exact_box_is_off_end(&b->point[b->at], j, high) ? FMB_FEASIBLE : FMB_INFEASIBLE;
-}
-
-/* The mean of common points that are, one or the other, off all ends of places, but those of the
- * time, is inside both frames. */
-static fmb_verdict find_inner_point(exact_boxer *b)
-{
-    const fmb_exact_box_program *s = &b->program;
-    fmb_verdict verdict = FMB_FEASIBLE;
-    for (int j = 0; verdict == FMB_FEASIBLE && j < s->artificial; j++) {
-        if (s->group[j] == FMB_EXACT_BOX_NONE || j == s->time)
-            continue;
-        verdict = find_point_off_end(b, j, false);
-        if (verdict == FMB_FEASIBLE && s->group[j] == FMB_EXACT_BOX_UNIT)
-            verdict = find_point_off_end(b, j, true);
-    }
-    return verdict;
-}
-
-fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact)
-{
-    exact_boxer b;
-    if (!fmb_exact_box_load(&b.program, p, q))
-        return FMB_UNKNOWN;
-    fmb_verdict verdict = find_vertex(&b, true);
-    return verdict == FMB_FEASIBLE && contact == FMB_CONTACT_OPEN ? find_inner_point(&b) : verdict;
-}
-
-bool fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q)
-{
-    exact_boxer b;
-    forget_points(&b);
-    return fmb_exact_box_load(&b.program, p, q) && fmb_exact_box_walk_start(&b.walk, &b.program) &&
-           take_state_of_basis(&b, &b.walk.basis);
-}
-
 /* ---- in rationals ---------------------------------------------------------------------------- */
 
 static void write_fraction(const fmb_wide *numerator, const fmb_wide *denominator, mpz_srcptr unit,
@@ -369,17 +304,99 @@ static fmb_verdict answer_in_units(exact_boxer *b, mpz_t *unit, const fmb_frame_
     return find_ends(b) && write_wanted_ends(b, write_exact_end, &to) ? FMB_FEASIBLE : FMB_UNKNOWN;
 }
 
+static fmb_verdict answer_q(exact_boxer *b, const fmb_frame_q *p, const fmb_frame_q *q,
+                            const fmb_pair_answers_q *out)
+{
+    mpz_t unit[FMB_EXACT_BOX_DIM];
+    for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
+        mpz_init(unit[i]);
+    fmb_verdict verdict = answer_in_units(b, unit, p, q, out);
+    for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
+        mpz_clear(unit[i]);
+    return verdict;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------- */
+
+#ifdef FMB_WIDE_LONG
+
+bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
+                         fmb_mem *mem)
+{
+    exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
+    bool done = b && answer(b, p, q, out);
+    fmb_mem_put(mem, b, 1, sizeof *b);
+    return done;
+}
+
+fmb_verdict fmb_long_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                  const fmb_pair_answers_q *out, fmb_mem *mem)
+{
+    exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
+    fmb_verdict verdict = b ? answer_q(b, p, q, out) : FMB_UNKNOWN;
+    fmb_mem_put(mem, b, 1, sizeof *b);
+    return verdict;
+}
+
+#else
+
+bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
+{
+    exact_boxer b;
+    return answer(&b, p, q, out);
+}
+
 fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                                    const fmb_pair_answers_q *out)
 {
     exact_boxer b;
-    mpz_t unit[FMB_EXACT_BOX_DIM];
-    for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
-        mpz_init(unit[i]);
-    fmb_verdict verdict = answer_in_units(&b, unit, p, q, out);
-    for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
-        mpz_clear(unit[i]);
+    return answer_q(&b, p, q, out);
+}
+
+/* ---- verdicts -------------------------------------------------------------------------------- */
+
+/* Is some common point off that end of unknown j's place? UNKNOWN if that was not proved. */
+static fmb_verdict find_point_off_end(exact_boxer *b, int j, bool high)
+{
+    for (int k = 0; k < b->points; k++)
+        if (fmb_exact_box_is_off_end(&b->point[k], j, high))
+            return FMB_FEASIBLE;
+    if (!take_state_at_end(b, &(fmb_exact_box_goal){false, j, !high}))
+        return FMB_UNKNOWN;
+    return fmb_exact_box_is_off_end(&b->point[b->at], j, high) ? FMB_FEASIBLE : FMB_INFEASIBLE;
+}
+
+/* The mean of common points that are, one or the other, off all ends of places, but those of the
+ * time, is inside both frames. */
+static fmb_verdict find_inner_point(exact_boxer *b)
+{
+    const fmb_exact_box_program *s = &b->program;
+    fmb_verdict verdict = FMB_FEASIBLE;
+    for (int j = 0; verdict == FMB_FEASIBLE && j < s->artificial; j++) {
+        if (s->group[j] == FMB_EXACT_BOX_NONE || j == s->time)
+            continue;
+        verdict = find_point_off_end(b, j, false);
+        if (verdict == FMB_FEASIBLE && s->group[j] == FMB_EXACT_BOX_UNIT)
+            verdict = find_point_off_end(b, j, true);
+    }
     return verdict;
+}
+
+fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact)
+{
+    exact_boxer b;
+    if (!fmb_exact_box_load(&b.program, p, q))
+        return FMB_UNKNOWN;
+    fmb_verdict verdict = find_vertex(&b, true);
+    return verdict == FMB_FEASIBLE && contact == FMB_CONTACT_OPEN ? find_inner_point(&b) : verdict;
+}
+
+bool fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q)
+{
+    exact_boxer b;
+    forget_points(&b);
+    return fmb_exact_box_load(&b.program, p, q) && fmb_exact_box_walk_start(&b.walk, &b.program) &&
+           take_state_of_basis(&b, &b.walk.basis);
 }
 
 #endif

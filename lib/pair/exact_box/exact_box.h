@@ -29,5 +29,8 @@ bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_
  * proved; out is then in part written. The time of what is still is not written. */
 fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                                    const fmb_pair_answers_q *out);
+/* The same of long numbers, as above. */
+fmb_verdict fmb_long_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                  const fmb_pair_answers_q *out, fmb_mem *mem);
 
 #endif

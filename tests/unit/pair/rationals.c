@@ -195,6 +195,21 @@ Test(rationals, faces_and_near_pairs)
     }
 }
 
+/* Numbers of a thousand digits. */
+Test(rationals, long_numbers)
+{
+    static const study_pair_family FAMILY[] = {STUDY_PAIR_RAGGED, STUDY_PAIR_DENORMAL,
+                                               STUDY_PAIR_SCALED, STUDY_PAIR_SPREAD};
+    for (int kind = 0; kind < 16; kind++) {
+        const study_pair_plan plan = {.family = FAMILY[kind % 4],
+                                      .dim = 2 + kind / 4 % 2,
+                                      .moves = kind / 8,
+                                      .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
+        cr_expect_eq(compare_plan(&plan, 6), 6, "%s in %d dimensions",
+                     study_pair_family_text(plan.family), plan.dim);
+    }
+}
+
 Test(rationals, what_is_not_asked_or_not_for_it)
 {
     const study_pair_plan plan = {.family = STUDY_PAIR_LATTICE, .dim = 3};
@@ -211,6 +226,9 @@ Test(rationals, what_is_not_asked_or_not_for_it)
     cr_expect_eq(fmb_pair_answer_q(&f.frame, &f.frame, &nothing, NULL), FMB_ERR_ARG);
     mpq_set_ui(f.number[0], 1, 1);
     mpq_div_2exp(f.number[0], f.number[0], 500);
+    cr_expect_eq(fmb_pair_answer_q(&f.frame, &f.frame, &nothing, &verdict), FMB_OK);
+    cr_expect_eq(verdict, FMB_FEASIBLE, "numbers that are long");
+    mpq_div_2exp(f.number[0], f.number[0], 20000);
     cr_expect_eq(fmb_pair_answer_q(&f.frame, &f.frame, &nothing, &verdict), FMB_OK);
     cr_expect_eq(verdict, FMB_UNKNOWN, "numbers that are too long");
     f.frame.naxes = 4;
