@@ -5,6 +5,7 @@
 
 #include "frame/frame_private.h"
 #include "num/rationals.h"
+#include "pair/exact_box/exact_box.h"
 #include "proximity/proximity_private.h"
 #include "solve/query/solver.h"
 #include "system/system_private.h"
@@ -154,6 +155,17 @@ fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const 
         *out->verdict = FMB_UNKNOWN;
     fmb_system_free(s);
     return st == FMB_LIMIT ? FMB_OK : st;
+}
+
+bool fmb_pair_oracle_answer_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
+                                        const fmb_pair_answers *out)
+{
+    fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
+    const fmb_poll poll = fmb_run_asked(&x->run);
+    bool done = fmb_long_box_answer(p, q, out, &x->mem, &poll);
+    if (!done && x->run.stop != FMB_STOP_DONE)
+        *out->verdict = FMB_UNKNOWN;
+    return done || x->run.stop != FMB_STOP_DONE;
 }
 
 /* ---- how near -------------------------------------------------------------------------------- */

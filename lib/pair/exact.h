@@ -31,6 +31,11 @@ fmb_status fmb_pair_oracle_decide(fmb_pair_oracle *x, const fmb_frame *p, const 
 fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                   const fmb_pair_answers *out);
 
+/* The same by vertices, whatever the length of numbers. False: that was not proved, and nothing is
+ * written. */
+bool fmb_pair_oracle_answer_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
+                                        const fmb_pair_answers *out);
+
 /* How near two frames in the plane or in space come, of which the verdict says whether they meet;
  * it becomes UNKNOWN if a limit was reached. Errors: MEMORY. */
 fmb_status fmb_pair_oracle_near(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,

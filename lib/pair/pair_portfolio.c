@@ -80,7 +80,7 @@ static fmb_status answer_generally(const query *a, size_t i)
         return FMB_OK;
     done = asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES) &&
            (fmb_exact_box_answer(&a->p[i], &a->q[i], &out) ||
-            fmb_long_box_answer(&a->p[i], &a->q[i], &out, &a->k->mem));
+            fmb_pair_oracle_answer_at_vertices(&a->k->oracle, &a->p[i], &a->q[i], &out));
     fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
     return done ? FMB_OK : answer_exactly(a, i);
 }

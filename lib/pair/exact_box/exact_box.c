@@ -133,7 +133,7 @@ static void list_goals(exact_boxer *b, bool world, bool inside, bool time)
 static bool find_ends(exact_boxer *b)
 {
     for (int i = 0; i < b->goals; i++) {
-        if (!take_state_at_end(b, &b->goal[i]))
+        if (fmb_poll_ask(b->whole.poll) != FMB_OK || !take_state_at_end(b, &b->goal[i]))
             return false;
         b->end[i] = b->at;
     }
@@ -320,10 +320,19 @@ static fmb_verdict answer_q(exact_boxer *b, const fmb_frame_q *p, const fmb_fram
 
 #ifdef FMB_WIDE_LONG
 
-bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
-                         fmb_mem *mem)
+/* [give] NULL: there is no room for it. */
+static exact_boxer *new_boxer(fmb_mem *mem, const fmb_poll *poll)
 {
     exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
+    if (b)
+        b->whole.poll = poll;
+    return b;
+}
+
+bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
+                         fmb_mem *mem, const fmb_poll *poll)
+{
+    exact_boxer *b = new_boxer(mem, poll);
     bool done = b && answer(b, p, q, out);
     fmb_mem_put(mem, b, 1, sizeof *b);
     return done;
@@ -332,7 +341,7 @@ bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_
 fmb_verdict fmb_long_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                                   const fmb_pair_answers_q *out, fmb_mem *mem)
 {
-    exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
+    exact_boxer *b = new_boxer(mem, NULL);
     fmb_verdict verdict = b ? answer_q(b, p, q, out) : FMB_UNKNOWN;
     fmb_mem_put(mem, b, 1, sizeof *b);
     return verdict;
@@ -343,6 +352,7 @@ fmb_verdict fmb_long_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
 bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
 {
     exact_boxer b;
+    b.whole.poll = NULL;
     return answer(&b, p, q, out);
 }
 
@@ -350,6 +360,7 @@ fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                                    const fmb_pair_answers_q *out)
 {
     exact_boxer b;
+    b.whole.poll = NULL;
     return answer_q(&b, p, q, out);
 }
 
@@ -385,6 +396,7 @@ static fmb_verdict find_inner_point(exact_boxer *b)
 fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact)
 {
     exact_boxer b;
+    b.whole.poll = NULL;
     if (!fmb_exact_box_load(&b.program, p, q))
         return FMB_UNKNOWN;
     fmb_verdict verdict = find_vertex(&b, true);

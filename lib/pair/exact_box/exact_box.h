@@ -8,6 +8,7 @@
 #include <fmb/gmp.h>
 
 #include "base/mem.h"
+#include "base/poll.h"
 
 /* Do these frames, which are good, meet? UNKNOWN if that was not proved. Nothing is allocated. */
 fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact);
@@ -21,9 +22,9 @@ bool fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q);
 bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out);
 
 /* The same where numbers of a row are too far apart for that. It takes a few megabytes of mem as
- * long as it lasts; without them nothing is proved. */
+ * long as it lasts; without them nothing is proved, nor once who is polled ends it. */
 bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
-                         fmb_mem *mem);
+                         fmb_mem *mem, const fmb_poll *poll);
 
 /* Do these closed frames meet, and all that out asks for, but the verdict. UNKNOWN if that was not
  * proved; out is then in part written. The time of what is still is not written. */

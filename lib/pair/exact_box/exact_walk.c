@@ -202,7 +202,8 @@ fmb_verdict fmb_exact_box_walk_exactly(fmb_exact_box *v, const fmb_exact_box_goa
         put_unit_basis(v->program, &v->basis);
     for (int steps = 0; steps < MOST_STEPS; steps++) {
         fmb_exact_box_basis basis = v->basis;
-        if (!fmb_exact_box_take_basis(v, v->program, &basis))
+        if (fmb_poll_ask(v->whole->poll) != FMB_OK ||
+            !fmb_exact_box_take_basis(v, v->program, &basis))
             return FMB_UNKNOWN;
         list_items(&w);
         if (!w.any_out && !goal)

@@ -9,6 +9,7 @@
 #ifndef FMB_PAIR_POINT_H
 #define FMB_PAIR_POINT_H
 
+#include "base/poll.h"
 #include "pair/exact_box/low_words.h"
 
 #define FMB_LANES 1
@@ -22,6 +23,7 @@ typedef struct fmb_exact_box_near {
 /* The numbers of one basic solution exactly: P^-1 is adjugate / det, values of basic unknowns are
  * x / det. */
 typedef struct fmb_exact_box_whole {
+    const fmb_poll *poll;           /* asked before each step in integers; NULL: nobody is */
     const struct fmb_exact_box *of; /* or NULL */
     fmb_wide adjugate[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM], x[FMB_EXACT_BOX_DIM];
     fmb_wide det;                       /* >= 0; 0: P has no inverse, and the others mean nothing */
