@@ -237,7 +237,7 @@ static bool answer(exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
 
 /* ---- in rationals ---------------------------------------------------------------------------- */
 
-static void write_fraction(const fmb_wide *numerator, const fmb_wide *denominator, mpz_srcptr unit,
+static void write_fraction(const fmb_wide *numerator, const fmb_wide *denominator, mpq_srcptr unit,
                            mpq_t out)
 {
     mpz_import(mpq_numref(out), (size_t)numerator->n, -1, sizeof(uint64_t), 0, 0, numerator->word);
@@ -245,17 +245,17 @@ static void write_fraction(const fmb_wide *numerator, const fmb_wide *denominato
                denominator->word);
     if (numerator->minus)
         mpz_neg(mpq_numref(out), mpq_numref(out));
-    if (unit)
-        mpz_mul(mpq_denref(out), mpq_denref(out), unit);
     mpq_canonicalize(out);
+    if (unit)
+        mpq_mul(out, out, unit);
 }
 
-static mpz_srcptr unit_of_goal(mpz_t *unit, const fmb_exact_box_goal *goal)
+static mpq_srcptr unit_of_goal(mpq_t *unit, const fmb_exact_box_goal *goal)
 {
     return goal->is_world ? unit[goal->number] : NULL;
 }
 
-static void write_value_here(exact_boxer *b, mpz_t *unit, const fmb_exact_box_goal *goal, mpq_t out)
+static void write_value_here(exact_boxer *b, mpq_t *unit, const fmb_exact_box_goal *goal, mpq_t out)
 {
     fmb_wide numerator, denominator;
     fmb_exact_box_value(&b->point[b->at], goal, &numerator, &denominator);
@@ -265,7 +265,7 @@ static void write_value_here(exact_boxer *b, mpz_t *unit, const fmb_exact_box_go
 /* Where rationals go; their units. */
 typedef struct exact_answer {
     const fmb_pair_answers_q *out;
-    mpz_t *unit;
+    mpq_t *unit;
 } exact_answer;
 
 static bool write_exact_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *self)
@@ -279,7 +279,7 @@ static bool write_exact_end(exact_boxer *b, const fmb_exact_box_goal *goal, void
 }
 
 /* The vertex at which b stands: in the world, in B, its time. */
-static void write_extreme_point(exact_boxer *b, mpz_t *unit, mpq_t *out)
+static void write_extreme_point(exact_boxer *b, mpq_t *unit, mpq_t *out)
 {
     const fmb_exact_box_program *s = &b->program;
     for (int i = 0; i < s->dim; i++)
@@ -289,7 +289,7 @@ static void write_extreme_point(exact_boxer *b, mpz_t *unit, mpq_t *out)
                          out[s->dim + j - s->first_of_b]);
 }
 
-static fmb_verdict answer_in_units(exact_boxer *b, mpz_t *unit, const fmb_frame_q *p,
+static fmb_verdict answer_in_units(exact_boxer *b, mpq_t *unit, const fmb_frame_q *p,
                                    const fmb_frame_q *q, const fmb_pair_answers_q *out)
 {
     exact_answer to = {out, unit};
@@ -307,12 +307,12 @@ static fmb_verdict answer_in_units(exact_boxer *b, mpz_t *unit, const fmb_frame_
 static fmb_verdict answer_q(exact_boxer *b, const fmb_frame_q *p, const fmb_frame_q *q,
                             const fmb_pair_answers_q *out)
 {
-    mpz_t unit[FMB_EXACT_BOX_DIM];
+    mpq_t unit[FMB_EXACT_BOX_DIM];
     for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
-        mpz_init(unit[i]);
+        mpq_init(unit[i]);
     fmb_verdict verdict = answer_in_units(b, unit, p, q, out);
     for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
-        mpz_clear(unit[i]);
+        mpq_clear(unit[i]);
     return verdict;
 }
 

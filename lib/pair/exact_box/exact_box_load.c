@@ -80,7 +80,8 @@ static void read_double(const void *self, int frame, int axis, int row, fmb_wide
 
 typedef struct rational_pair {
     const fmb_frame_q *frame[2];
-    mpz_t *unit, *whole;
+    mpq_t *unit;
+    mpz_t *whole;
 } rational_pair;
 
 static mpq_srcptr rational_of_frame(const fmb_frame_q *f, int axis, int row)
@@ -104,39 +105,71 @@ static bool is_divisor(mpz_srcptr d, mpz_srcptr unit)
            (is_word(d) && is_word(unit) && fmb_integer_low(unit) % fmb_integer_low(d) == 0);
 }
 
-/* No number x has more bits in front of its point. */
-static int bits_of_whole_part(mpq_srcptr x)
+/* |x| is less than 2 to that power. */
+static int bits_of_rational(mpq_srcptr x)
 {
     return (int)mpz_sizeinbase(mpq_numref(x), 2) - (int)mpz_sizeinbase(mpq_denref(x), 2) + 1;
 }
 
-/* The least common denominator of a row; false if numbers are too long in terms of it. */
-static bool find_denominator_of_row(const rational_pair *d, int row)
+/* The least common denominator of a row; false if it is too long. *most: bits of the largest
+ * number. */
+static bool find_denominator_of_row(const rational_pair *d, int row, int *most)
 {
-    int most = 0, room = most_bits(d->frame[0]->dim);
-    mpz_set_ui(d->unit[row], 1);
+    mpz_ptr common = mpq_denref(d->unit[row]);
     for (int k = 0; k < 2; k++)
         for (int axis = SPEED; axis < d->frame[k]->naxes; axis++) {
             mpq_srcptr x = rational_of_frame(d->frame[k], axis, row);
             if (!x || mpq_sgn(x) == 0)
                 continue;
             size_t longest = fmb_integer_words(mpq_numref(x)) + fmb_integer_words(mpq_denref(x));
-            if (longest > 2 * FMB_WIDE_WORDS)
+            if (longest > 2 * FMB_WIDE_WORDS || fmb_integer_words(common) > 2 * FMB_WIDE_WORDS)
                 return false;
-            if (!is_divisor(mpq_denref(x), d->unit[row]))
-                mpz_lcm(d->unit[row], d->unit[row], mpq_denref(x));
-            most = bits_of_whole_part(x) > most ? bits_of_whole_part(x) : most;
-            if (most + (int)mpz_sizeinbase(d->unit[row], 2) > room)
-                return false;
+            if (!is_divisor(mpq_denref(x), common))
+                mpz_lcm(common, common, mpq_denref(x));
+            *most = bits_of_rational(x) > *most ? bits_of_rational(x) : *most;
         }
     return true;
 }
 
-/* n / d in that unit, where all three are words. */
-static void read_words(mpz_srcptr n, mpz_srcptr d, mpz_srcptr unit, fmb_wide *out)
+/* The greatest common divisor of a row's numerators, if there is any number but 0. */
+static void find_divisor_of_row(const rational_pair *d, int row)
 {
-    uint64_t factor = fmb_integer_low(unit) / fmb_integer_low(d);
-    fmb_u128 product = fmb_u128_product(fmb_integer_low(n), factor);
+    mpz_ptr common = mpq_numref(d->unit[row]);
+    mpz_set_ui(common, 0);
+    for (int k = 0; k < 2; k++)
+        for (int axis = SPEED; axis < d->frame[k]->naxes && mpz_cmp_ui(common, 1) != 0; axis++) {
+            mpq_srcptr x = rational_of_frame(d->frame[k], axis, row);
+            if (x)
+                mpz_gcd(common, common, mpq_numref(x));
+        }
+    if (mpz_sgn(common) == 0)
+        mpz_set_ui(common, 1);
+}
+
+/* The greatest rational of which all numbers of a row are multiples: as they are in lowest terms,
+ * their numerators' divisor over their common denominator. Where numbers are a word, the divisor is
+ * not looked for. False: they are too long. */
+static bool find_rational_unit(const rational_pair *d, int row)
+{
+    const int none = INT32_MIN / 2;
+    int most = none, divided = 1;
+    mpq_set_ui(d->unit[row], 1, 1);
+    if (!find_denominator_of_row(d, row, &most))
+        return false;
+    most += (int)mpz_sizeinbase(mpq_denref(d->unit[row]), 2);
+    if (most > 64) {
+        find_divisor_of_row(d, row);
+        divided = (int)mpz_sizeinbase(mpq_numref(d->unit[row]), 2);
+    }
+    return most - divided < most_bits(d->frame[0]->dim);
+}
+
+/* n / d in that unit, where all of them are words. */
+static void read_words(mpz_srcptr n, mpz_srcptr d, mpq_srcptr unit, fmb_wide *out)
+{
+    uint64_t factor = fmb_integer_low(mpq_denref(unit)) / fmb_integer_low(d);
+    uint64_t times = fmb_integer_low(n) / fmb_integer_low(mpq_numref(unit));
+    fmb_u128 product = fmb_u128_product(times, factor);
     out->word[0] = fmb_u128_low(product);
     out->word[1] = fmb_u128_high(product);
     out->n = 1 + (out->word[1] != 0);
@@ -146,18 +179,20 @@ static void read_words(mpz_srcptr n, mpz_srcptr d, mpz_srcptr unit, fmb_wide *ou
 static void read_rational(const void *self, int frame, int axis, int row, fmb_wide *out)
 {
     const rational_pair *d = self;
-    mpq_srcptr x = rational_of_frame(d->frame[frame], axis, row);
+    mpq_srcptr x = rational_of_frame(d->frame[frame], axis, row), unit = d->unit[row];
     size_t words = 0;
     out->n = 0;
     out->minus = false;
     if (!x || mpq_sgn(x) == 0)
         return;
-    if (is_word(mpq_numref(x)) && is_word(mpq_denref(x)) && is_word(d->unit[row])) {
-        read_words(mpq_numref(x), mpq_denref(x), d->unit[row], out);
+    if (is_word(mpq_numref(x)) && is_word(mpq_denref(x)) && is_word(mpq_denref(unit))) {
+        read_words(mpq_numref(x), mpq_denref(x), unit, out);
         return;
     }
-    mpz_divexact(*d->whole, d->unit[row], mpq_denref(x));
+    mpz_divexact(*d->whole, mpq_denref(unit), mpq_denref(x));
     mpz_mul(*d->whole, *d->whole, mpq_numref(x));
+    if (mpz_cmp_ui(mpq_numref(unit), 1) != 0)
+        mpz_divexact(*d->whole, *d->whole, mpq_numref(unit));
     mpz_export(out->word, &words, -1, sizeof *out->word, 0, 0, *d->whole);
     out->n = (int)words;
     out->minus = mpz_sgn(*d->whole) < 0;
@@ -306,13 +341,13 @@ bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_
 }
 
 bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
-                          mpz_t *unit)
+                          mpq_t *unit)
 {
     mpz_t whole;
     rational_pair d = {.frame = {p, q}, .unit = unit, .whole = &whole};
     bool good = is_for_vertices(p->dim, p->naxes, q->naxes);
     for (int row = 0; good && row < p->dim; row++)
-        good = find_denominator_of_row(&d, row);
+        good = find_rational_unit(&d, row);
     if (!good)
         return false;
     mpz_init(whole);

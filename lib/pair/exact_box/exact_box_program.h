@@ -64,7 +64,7 @@ typedef struct fmb_exact_box_program {
 bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q);
 /* The same of rationals; unit[0 .. dim) are initialised. */
 bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
-                          mpz_t *unit);
+                          mpq_t *unit);
 
 /* ---- basic solutions ------------------------------------------------------------------------- */
 
