@@ -63,7 +63,7 @@ bool fmb_exact_box_are_apart(const fmb_exact_box *v, const double *weight)
 
 void fmb_exact_box_find_prices(fmb_exact_box *v, const fmb_wide *const *cost, fmb_wide *y)
 {
-    const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
+    const fmb_exact_box_whole *w = fmb_exact_box_need_adjugate(v);
     const fmb_wide *column[DIM];
     for (int row = 0; row < v->program->dim; row++) {
         for (int k = 0; k < v->program->dim; k++)
@@ -76,12 +76,11 @@ void fmb_exact_box_find_loss(fmb_exact_box *v, const fmb_wide *y, const fmb_wide
                              fmb_wide *out)
 {
     int n = v->program->dim;
-    fmb_wide room[DIM];
     const fmb_wide *a[DIM + 1], *b[DIM + 1];
-    fmb_exact_box_list_column(v, j, b, room);
+    fmb_exact_box_list_column(v, j, b, v->whole->column);
     for (int row = 0; row < n; row++)
         a[row] = &y[row];
-    a[n] = &fmb_exact_box_need_whole(v)->det;
+    a[n] = &v->whole->det;
     b[n] = cost;
     fmb_wide_dot(out, n + 1, a, b, 1u << n);
 }
@@ -92,8 +91,7 @@ void fmb_exact_box_find_loss(fmb_exact_box *v, const fmb_wide *y, const fmb_wide
 typedef struct priced_goal {
     fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS];
     double y[DIM], size, off; /* size: the sum of |y|; off: of |r| */
-    bool is_exact;
-    fmb_wide exact_y[DIM];
+    bool is_exact;            /* prices in integers are known, in v->whole */
 } priced_goal;
 
 /* cost - y m_j, not relative; of the size of what it is made of, the cost and at most size. */
@@ -140,15 +138,15 @@ static void find_near_prices(const fmb_exact_box *v, priced_goal *g)
 
 static int exact_sign_of_loss(fmb_exact_box *v, priced_goal *g, int j)
 {
-    fmb_wide loss, room[DIM];
+    fmb_wide loss, *room = v->whole->cost;
     const fmb_wide *cost[DIM];
     for (int k = 0; !g->is_exact && k < v->program->dim; k++)
         cost[k] = fmb_exact_box_relative_cost(v, g->cost, v->basic[k], &room[k]);
     if (!g->is_exact)
-        fmb_exact_box_find_prices(v, cost, g->exact_y);
+        fmb_exact_box_find_prices(v, cost, v->whole->price);
     g->is_exact = true;
-    fmb_exact_box_find_loss(v, g->exact_y, fmb_exact_box_relative_cost(v, g->cost, j, &room[0]), j,
-                            &loss);
+    fmb_exact_box_find_loss(v, v->whole->price,
+                            fmb_exact_box_relative_cost(v, g->cost, j, &room[0]), j, &loss);
     return fmb_wide_sign(&loss);
 }
 

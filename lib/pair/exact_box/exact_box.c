@@ -56,8 +56,7 @@ static fmb_verdict go_on_exactly(exact_boxer *b, const fmb_exact_box_goal *goal)
 static void forget_points(exact_boxer *b)
 {
     b->points = 0;
-    b->whole.of = NULL;
-    b->whole.low_of = NULL;
+    b->whole.of = b->whole.adjugate_of = b->whole.low_of = NULL;
     for (int k = 0; k <= MOST_POINTS; k++)
         b->point[k].whole = &b->whole;
 }

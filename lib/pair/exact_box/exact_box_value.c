@@ -57,7 +57,7 @@ void fmb_exact_box_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, fmb_w
                          fmb_wide *denominator)
 {
     const fmb_exact_box_program *s = v->program;
-    fmb_wide constant, room[DIM];
+    fmb_wide constant, *room = v->whole->cost;
     fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS];
     const fmb_wide *a[DIM + 1], *b[DIM + 1];
     int n = 0;

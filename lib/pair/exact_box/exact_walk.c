@@ -3,6 +3,8 @@
  * The primal simplex method with Bland's rule. As long as unknowns are out of their places, it is
  * the sum of the ways there that becomes less; an unknown that gets to its place stays in it. Where
  * nothing makes that sum less, there is no common point. (Dantzig 1955; Bland 1977.)
+ *
+ * Each step changes adjugate, det and values as point.c does, one column at a time (Edmonds 1967).
  */
 #include "pair/exact_box/exact_walk.h"
 
@@ -10,17 +12,20 @@
 
 enum { DIM = FMB_EXACT_BOX_DIM, MOST_STEPS = 256 };
 
-/* Basic unknowns, those of P and then the references, by number. */
-enum { MOST_ITEMS = DIM + 2 };
-
+/* Items are the basic unknowns: those of P, item k in place k, and then the references. Values and
+ * falls of items are in v->whole. */
 typedef struct exact_walk {
     fmb_exact_box *v;
-    int items, unknown[MOST_ITEMS];
-    fmb_wide value[MOST_ITEMS]; /* times det */
-    int out[MOST_ITEMS];        /* -1: below its place, 1: above it */
+    fmb_exact_box_whole *whole;
+    int items, unknown[FMB_EXACT_BOX_ITEMS];
+    int out[FMB_EXACT_BOX_ITEMS]; /* -1: below its place, 1: above it */
     bool any_out;
-    fmb_wide cost[FMB_EXACT_BOX_UNKNOWNS]; /* of what is to become greater */
+    fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS]; /* of what is to become greater */
+    bool turned;                                     /* less, rather */
 } exact_walk;
+
+static const fmb_wide WHOLE_ZERO = {0, false, {0}};
+static const fmb_wide WHOLE_SIGN[2] = {{1, false, {1}}, {1, true, {1}}};
 
 static int place_group(const exact_walk *w, int unknown)
 {
@@ -34,26 +39,31 @@ static int side_of_place(const exact_walk *w, const fmb_wide *value, int group)
         return -1;
     if (group == FMB_EXACT_BOX_ZERO)
         return value->n > 0;
-    return group == FMB_EXACT_BOX_UNIT && fmb_wide_compare(value, &w->v->whole->det) > 0;
+    return group == FMB_EXACT_BOX_UNIT && fmb_wide_compare(value, &w->whole->det) > 0;
 }
 
 static void list_items(exact_walk *w)
 {
     fmb_exact_box *v = w->v;
-    const fmb_exact_box_whole *whole = fmb_exact_box_need_whole(v);
+    (void)fmb_exact_box_need_whole(v);
+    w->whole = fmb_exact_box_need_adjugate(v);
     w->items = v->program->dim;
     for (int k = 0; k < w->items; k++) {
         w->unknown[k] = v->basic[k];
-        fmb_wide_copy(&w->value[k], &whole->x[k]);
+        fmb_wide_copy(&w->whole->value[k], &w->whole->x[k]);
     }
     for (int group = 0; group < 2; group++)
         if (v->reference[group] >= 0) {
             w->unknown[w->items] = v->reference[group];
-            fmb_exact_box_remainder(v, group, -1, &w->value[w->items++]);
+            fmb_exact_box_remainder(v, group, -1, &w->whole->value[w->items++]);
         }
+}
+
+static void look_at_places(exact_walk *w)
+{
     w->any_out = false;
     for (int i = 0; i < w->items; i++) {
-        w->out[i] = side_of_place(w, &w->value[i], place_group(w, w->unknown[i]));
+        w->out[i] = side_of_place(w, &w->whole->value[i], place_group(w, w->unknown[i]));
         w->any_out |= w->out[i] != 0;
     }
 }
@@ -61,70 +71,55 @@ static void list_items(exact_walk *w)
 /* Where something is out of its place, that; else the goal. */
 static void list_exact_costs(exact_walk *w, const fmb_exact_box_goal *goal)
 {
-    const fmb_exact_box_program *s = w->v->program;
-    fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS];
-    if (!w->any_out)
-        fmb_exact_box_list_costs(w->v, goal, cost);
-    bool turned = !w->any_out && goal->greatest == (goal->is_world && w->v->side == 1);
-    for (int j = 0; j < s->unknowns; j++) {
-        if (w->any_out)
-            fmb_wide_set_word(&w->cost[j], 0);
-        else
-            fmb_wide_copy(&w->cost[j], cost[j].whole);
-        if (turned)
-            fmb_wide_negate(&w->cost[j]);
+    w->turned = !w->any_out && goal->greatest == (goal->is_world && w->v->side == 1);
+    if (!w->any_out) {
+        fmb_exact_box_list_costs(w->v, goal, w->cost);
+        return;
     }
+    for (int j = 0; j < w->v->program->unknowns; j++)
+        w->cost[j].whole = &WHOLE_ZERO;
     for (int i = 0; i < w->items; i++)
-        if (w->out[i] != 0) {
-            fmb_wide_set_word(&w->cost[w->unknown[i]], 1);
-            w->cost[w->unknown[i]].minus = w->out[i] > 0;
-        }
-}
-
-static const fmb_wide *relative_cost(const exact_walk *w, int j, fmb_wide *room)
-{
-    int reference = fmb_exact_box_reference_of(w->v, j);
-    return fmb_exact_box_difference(&w->cost[j], reference < 0 ? NULL : &w->cost[reference], room);
+        if (w->out[i] != 0)
+            w->cost[w->unknown[i]].whole = &WHOLE_SIGN[w->out[i] > 0];
 }
 
 /* The first unknown that gains where it leaves its end, or -1. */
 static int find_gaining(exact_walk *w)
 {
     fmb_exact_box *v = w->v;
-    fmb_wide room[DIM], y[DIM], loss;
+    fmb_wide *room = w->whole->cost;
     const fmb_wide *cost[DIM];
     for (int k = 0; k < v->program->dim; k++)
-        cost[k] = relative_cost(w, v->basic[k], &room[k]);
-    fmb_exact_box_find_prices(v, cost, y);
+        cost[k] = fmb_exact_box_relative_cost(v, w->cost, v->basic[k], &room[k]);
+    fmb_exact_box_find_prices(v, cost, w->whole->price);
     for (int j = 0; j < v->program->artificial; j++) {
+        fmb_wide loss;
         int place = v->basis.place[j];
         if (place == FMB_EXACT_BOX_BASIC || place_group(w, j) == FMB_EXACT_BOX_NONE)
             continue;
-        fmb_exact_box_find_loss(v, y, relative_cost(w, j, &room[0]), j, &loss);
-        if (fmb_wide_sign(&loss) == (place == FMB_EXACT_BOX_HIGH ? 1 : -1))
+        fmb_exact_box_find_loss(v, w->whole->price,
+                                fmb_exact_box_relative_cost(v, w->cost, j, &room[0]), j, &loss);
+        if (fmb_wide_sign(&loss) == ((place == FMB_EXACT_BOX_HIGH) != w->turned ? 1 : -1))
             return j;
     }
     return -1;
 }
 
 /* How much, times det, each item falls for each unit by which unknown j leaves its end. */
-static void find_falls(const exact_walk *w, int j, fmb_wide *fall)
+static void find_falls(const exact_walk *w, int j)
 {
     fmb_exact_box *v = w->v;
+    fmb_wide *fall = w->whole->fall;
     int n = v->program->dim;
-    fmb_wide room[DIM];
-    const fmb_wide *column[DIM], *row[DIM];
-    fmb_exact_box_list_column(v, j, column, room);
-    for (int k = 0; k < n; k++) {
-        for (int i = 0; i < n; i++)
-            row[i] = &v->whole->adjugate[k][i];
-        fmb_wide_dot(&fall[k], n, row, column, 0);
-    }
+    const fmb_wide *column[DIM];
+    fmb_exact_box_list_column(v, j, column, w->whole->column);
+    for (int k = 0; k < n; k++)
+        fmb_exact_box_times_row(w->whole, n, k, column, &fall[k]);
     for (int i = n; i < w->items; i++) {
         int group = place_group(w, w->unknown[i]);
         fmb_wide_set_word(&fall[i], 0);
         if (place_group(w, j) == group)
-            fmb_wide_copy(&fall[i], &v->whole->det);
+            fmb_wide_copy(&fall[i], &w->whole->det);
         for (int k = 0; k < n; k++)
             if (place_group(w, v->basic[k]) == group)
                 fmb_wide_subtract(&fall[i], &fall[k]);
@@ -132,6 +127,16 @@ static void find_falls(const exact_walk *w, int j, fmb_wide *fall)
     for (int i = 0; v->basis.place[j] == FMB_EXACT_BOX_HIGH && i < w->items; i++)
         fmb_wide_negate(&fall[i]);
 }
+
+/* ---- which unknown leaves -------------------------------------------------------------------- */
+
+/* How far an unknown goes: room / speed, until that item is at an end of its place; or itself at
+ * its other one, where item is -1. */
+typedef struct exact_way {
+    int item;
+    bool high;
+    fmb_wide room, speed;
+} exact_way;
 
 /* What item i has left until it is at an end of its place, or, out of it, at the nearer one: det
  * times that. False: it may go on for ever. */
@@ -141,50 +146,162 @@ static bool room_of_item(const exact_walk *w, int i, bool up, fmb_wide *room, bo
     *high = group == FMB_EXACT_BOX_UNIT && (up ? out == 0 : out > 0);
     if (up ? out > 0 || (out == 0 && group <= FMB_EXACT_BOX_OF_B) : out < 0)
         return false;
-    fmb_wide_copy(room, &w->value[i]);
+    fmb_wide_copy(room, &w->whole->value[i]);
     if (*high)
-        fmb_wide_subtract(room, &w->v->whole->det);
+        fmb_wide_subtract(room, &w->whole->det);
     room->minus = false;
     return true;
 }
 
+static bool is_shorter(const exact_walk *w, int j, const exact_way *a, const exact_way *b)
+{
+    fmb_wide left, right;
+    fmb_wide_multiply(&left, &a->room, &b->speed);
+    fmb_wide_multiply(&right, &b->room, &a->speed);
+    int order = fmb_wide_compare(&left, &right);
+    return order < 0 ||
+           (order == 0 && w->unknown[a->item] < (b->item < 0 ? j : w->unknown[b->item]));
+}
+
 /* Unknown j leaves its end until an item comes to one, or j to its other one; of several the one
  * with the least number. False: nothing stops it. */
-static bool leave_end_exactly(exact_walk *w, int j)
+static bool find_way(const exact_walk *w, int j, exact_way *way)
+{
+    bool any = place_group(w, j) == FMB_EXACT_BOX_UNIT;
+    exact_way next;
+    way->item = -1;
+    fmb_wide_set_word(&way->room, 1);
+    fmb_wide_set_word(&way->speed, 1);
+    for (next.item = 0; next.item < w->items; next.item++) {
+        const fmb_wide *fall = &w->whole->fall[next.item];
+        if (fall->n == 0 || !room_of_item(w, next.item, fall->minus, &next.room, &next.high))
+            continue;
+        fmb_wide_copy(&next.speed, fall);
+        next.speed.minus = false;
+        if (any && !is_shorter(w, j, &next, way))
+            continue;
+        way->item = next.item;
+        way->high = next.high;
+        fmb_wide_copy(&way->room, &next.room);
+        fmb_wide_copy(&way->speed, &next.speed);
+        any = true;
+    }
+    return any;
+}
+
+/* ---- a step ---------------------------------------------------------------------------------- */
+
+/* Row k of the adjugate becomes less all rows of its group: what was the reference of that is in
+ * place k then, and the unknown of place k the reference. */
+static void swap_reference(exact_walk *w, int item, int k)
 {
     fmb_exact_box *v = w->v;
-    fmb_wide fall[MOST_ITEMS], room, way, speed, left, right;
-    int leaving = -1;
-    bool high = false, end;
-    find_falls(w, j, fall);
-    fmb_wide_set_word(&way, 1);
-    fmb_wide_set_word(&speed, 1);
-    if (place_group(w, j) == FMB_EXACT_BOX_UNIT) {
-        leaving = j;
-        high = v->basis.place[j] == FMB_EXACT_BOX_LOW;
-    }
-    for (int i = 0; i < w->items; i++) {
-        if (fall[i].n == 0 || !room_of_item(w, i, fall[i].minus, &room, &end))
-            continue;
-        fall[i].minus = false;
-        if (leaving >= 0) {
-            fmb_wide_multiply(&left, &room, &speed);
-            fmb_wide_multiply(&right, &way, &fall[i]);
-            int order = fmb_wide_compare(&left, &right);
-            if (order > 0 || (order == 0 && leaving < w->unknown[i]))
-                continue;
-        }
-        fmb_wide_copy(&way, &room);
-        fmb_wide_copy(&speed, &fall[i]);
-        leaving = w->unknown[i];
-        high = end;
-    }
-    if (leaving < 0)
-        return false;
-    v->basis.place[j] = FMB_EXACT_BOX_BASIC;
-    v->basis.place[leaving] = high ? FMB_EXACT_BOX_HIGH : FMB_EXACT_BOX_LOW;
-    return true;
+    fmb_exact_box_whole *whole = w->whole;
+    int group = place_group(w, w->unknown[item]), n = v->program->dim;
+    for (int i = 0; i < n; i++)
+        for (int row = 0; row < n; row++)
+            if (row != k && place_group(w, w->unknown[row]) == group)
+                fmb_wide_add(&whole->adjugate[k][i], &whole->adjugate[row][i]);
+    for (int i = 0; i < n; i++)
+        fmb_wide_negate(&whole->adjugate[k][i]);
+    fmb_wide_swap(&whole->value[k], &whole->value[item]);
+    fmb_wide_swap(&whole->fall[k], &whole->fall[item]);
+    v->reference[group] = w->unknown[k];
+    w->unknown[k] = v->basic[k] = w->unknown[item];
+    w->unknown[item] = v->reference[group];
 }
+
+/* An item that is a reference and leaves becomes one of P, if there are any of its group. Which
+ * item it is then. */
+static int put_into_place(exact_walk *w, int item)
+{
+    int n = w->v->program->dim, k = 0;
+    if (item < n)
+        return item;
+    while (k < n && place_group(w, w->unknown[k]) != place_group(w, w->unknown[item]))
+        k++;
+    if (k == n)
+        return item;
+    swap_reference(w, item, k);
+    return k;
+}
+
+/* Column of j in place k, of which the falls are known but for a sign. */
+static void put_column_of(exact_walk *w, int k, bool high, const fmb_wide *speed)
+{
+    fmb_exact_box_whole *whole = w->whole;
+    int n = w->v->program->dim;
+    bool minus = whole->fall[k].minus;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; i != k && j < n; j++)
+            fmb_exact_box_reduce(&whole->adjugate[i][j], speed, &whole->fall[i],
+                                 &whole->adjugate[k][j], minus, &whole->det);
+    for (int j = 0; minus != high && j < n; j++)
+        fmb_wide_negate(&whole->adjugate[k][j]);
+}
+
+/* Unknown j goes that way, and is basic from then on in place of the one that came to an end. */
+static void go(exact_walk *w, int j, const exact_way *way)
+{
+    fmb_exact_box *v = w->v;
+    fmb_exact_box_whole *whole = w->whole;
+    int n = v->program->dim, k = put_into_place(w, way->item), group = place_group(w, j);
+    bool high = v->basis.place[j] == FMB_EXACT_BOX_HIGH;
+    v->basis.place[w->unknown[k]] = way->high ? FMB_EXACT_BOX_HIGH : FMB_EXACT_BOX_LOW;
+    v->basis.place[j] = FMB_EXACT_BOX_BASIC;
+    for (int i = 0; i < w->items; i++)
+        if (i != k)
+            fmb_exact_box_reduce(&whole->value[i], &way->speed, &whole->fall[i], &way->room, false,
+                                 &whole->det);
+    if (k < n)
+        put_column_of(w, k, high, &way->speed);
+    fmb_wide_copy(&whole->value[k], &way->room);
+    if (high) {
+        fmb_wide_subtract(&whole->value[k], &way->speed);
+        fmb_wide_negate(&whole->value[k]);
+    }
+    fmb_wide_copy(&whole->det, &way->speed);
+    w->unknown[k] = j;
+    if (k < n)
+        v->basic[k] = j;
+    else
+        v->reference[group] = j;
+}
+
+/* Unknown j goes to its other end. */
+static void turn_end(exact_walk *w, int j)
+{
+    unsigned char *place = &w->v->basis.place[j];
+    *place = *place == FMB_EXACT_BOX_LOW ? FMB_EXACT_BOX_HIGH : FMB_EXACT_BOX_LOW;
+    for (int i = 0; i < w->items; i++)
+        fmb_wide_subtract(&w->whole->value[i], &w->whole->fall[i]);
+}
+
+static fmb_verdict walk_on(exact_walk *w, const fmb_exact_box_goal *goal)
+{
+    exact_way way;
+    for (int steps = 0; steps < MOST_STEPS; steps++) {
+        if (fmb_poll_ask(w->whole->poll) != FMB_OK)
+            return FMB_UNKNOWN;
+        look_at_places(w);
+        if (!w->any_out && !goal)
+            return FMB_FEASIBLE;
+        list_exact_costs(w, goal);
+        int j = find_gaining(w);
+        if (j < 0)
+            return w->any_out ? FMB_INFEASIBLE : FMB_FEASIBLE;
+        find_falls(w, j);
+        if (!find_way(w, j, &way))
+            return FMB_UNKNOWN;
+        if (way.item < 0)
+            turn_end(w, j);
+        else
+            go(w, j, &way);
+    }
+    return FMB_UNKNOWN;
+}
+
+/* ---- the walk -------------------------------------------------------------------------------- */
 
 /* All artificial unknowns and slacks: the one that always is a basis. */
 static void put_unit_basis(const fmb_exact_box_program *s, fmb_exact_box_basis *basis)
@@ -195,25 +312,20 @@ static void put_unit_basis(const fmb_exact_box_program *s, fmb_exact_box_basis *
             basis->place[j] = FMB_EXACT_BOX_BASIC;
 }
 
+static bool stand_at(fmb_exact_box *v)
+{
+    fmb_exact_box_basis basis = v->basis;
+    return fmb_exact_box_take_basis(v, v->program, &basis);
+}
+
 fmb_verdict fmb_exact_box_walk_exactly(fmb_exact_box *v, const fmb_exact_box_goal *goal)
 {
     exact_walk w = {.v = v};
     if (fmb_exact_box_need_whole(v)->det.n == 0)
         put_unit_basis(v->program, &v->basis);
-    for (int steps = 0; steps < MOST_STEPS; steps++) {
-        fmb_exact_box_basis basis = v->basis;
-        if (fmb_poll_ask(v->whole->poll) != FMB_OK ||
-            !fmb_exact_box_take_basis(v, v->program, &basis))
-            return FMB_UNKNOWN;
-        list_items(&w);
-        if (!w.any_out && !goal)
-            return FMB_FEASIBLE;
-        list_exact_costs(&w, goal);
-        int j = find_gaining(&w);
-        if (j < 0)
-            return w.any_out ? FMB_INFEASIBLE : FMB_FEASIBLE;
-        if (!leave_end_exactly(&w, j))
-            return FMB_UNKNOWN;
-    }
-    return FMB_UNKNOWN;
+    if (!stand_at(v))
+        return FMB_UNKNOWN;
+    list_items(&w);
+    fmb_verdict verdict = walk_on(&w, goal);
+    return stand_at(v) ? verdict : FMB_UNKNOWN;
 }

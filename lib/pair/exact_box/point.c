@@ -213,7 +213,94 @@ static void find_near(fmb_exact_box *v)
         v->of_reference[group] = near_remainder(v, group, -1);
 }
 
-/* ---- in integers -----------------------------------------------------------------------------
+/* ---- values in integers ----------------------------------------------------------------------
+ *
+ * x by Cramer's rule. The minors of the first k rows come from those of the first k - 1, expanded
+ * along row k (Laplace): each factor but one is a short entry, and nothing is divided.
+ */
+
+/* Columns of P, and behind them h less the columns that count once: row by row. */
+static void list_entries(fmb_exact_box *v, const fmb_wide *(*entry)[DIM + 1])
+{
+    const fmb_exact_box_program *s = v->program;
+    fmb_wide(*room)[DIM + 1] = v->whole->entry;
+    for (int row = 0; row < s->dim; row++) {
+        for (int k = 0; k < s->dim; k++) {
+            const fmb_exact_box_vector *less = reference_column(v, v->basic[k]);
+            entry[row][k] = fmb_exact_box_difference(
+                &s->m[v->basic[k]].whole[row], less ? &less->whole[row] : NULL, &room[row][k]);
+        }
+        fmb_wide *rest = &room[row][s->dim];
+        fmb_wide_copy(rest, &s->h.whole[row]);
+        for (int j = 0; j < s->columns; j++)
+            if (fmb_exact_box_is_one(v, j))
+                fmb_wide_subtract(rest, &s->m[j].whole[row]);
+        entry[row][s->dim] = rest;
+    }
+}
+
+/* The minor of a set of columns, which is one row larger than those at `before`. */
+static void find_minor(unsigned set, int row, const fmb_wide *const *entry, const fmb_wide *before,
+                       const unsigned char *slot, fmb_wide *out)
+{
+    const fmb_wide *a[DIM + 1], *b[DIM + 1];
+    unsigned minus = 0;
+    int n = 0, place = row;
+    for (unsigned left = set; left; left &= left - 1, place++) {
+        const int j = __builtin_ctz(left);
+        const fmb_wide *minor = &before[slot[set & ~(1U << j)]];
+        if (entry[j]->n == 0 || minor->n == 0)
+            continue;
+        minus |= (unsigned)place % 2 << n;
+        a[n] = entry[j];
+        b[n++] = minor;
+    }
+    fmb_wide_dot(out, n, a, b, minus);
+}
+
+/* The minors of all rows, in the order of their sets: without column n, which is det, n - 1, ... */
+static const fmb_wide *find_minors(fmb_exact_box *v)
+{
+    const int n = v->program->dim;
+    const fmb_wide *entry[DIM][DIM + 1];
+    unsigned char slot[2U << DIM];
+    fmb_exact_box_whole *w = v->whole;
+    list_entries(v, entry);
+    slot[0] = 0;
+    fmb_wide_set_word(&w->minor[0][0], 1);
+    for (int row = 0; row < n; row++) {
+        unsigned char next = 0;
+        for (unsigned set = 1; set < 2U << n; set++)
+            if (__builtin_popcount(set) == row + 1) {
+                slot[set] = next++;
+                find_minor(set, row, entry[row], w->minor[row % 2], slot,
+                           &w->minor[(row + 1) % 2][slot[set]]);
+            }
+    }
+    return w->minor[n % 2];
+}
+
+/* The rest stands behind the columns, not in the place of that of x_k. */
+const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v)
+{
+    fmb_exact_box_whole *w = v->whole;
+    const int n = v->program->dim;
+    if (w->of == v)
+        return w;
+    const fmb_wide *minor = find_minors(v);
+    w->of = v;
+    w->adjugate_of = w->adjugate_of == v ? v : NULL;
+    fmb_wide_copy(&w->det, &minor[0]);
+    w->det.minus = false;
+    for (int k = 0; k < n; k++) {
+        fmb_wide_copy(&w->x[k], &minor[n - k]);
+        if (((n - 1 - k) % 2 == 1) != minor[0].minus)
+            fmb_wide_negate(&w->x[k]);
+    }
+    return w;
+}
+
+/* ---- the adjugate ----------------------------------------------------------------------------
  *
  * From the basis of the artificial unknowns, whose P is I, the columns come in one by one. Where a
  * column comes into place k, alpha = adjugate times it, det becomes alpha_k, row k stays, and of
@@ -222,100 +309,57 @@ static void find_near(fmb_exact_box *v)
  */
 
 /* alpha; its place, one with the fewest words of those from k on, or -1. */
-static int find_place_of_column(const fmb_exact_box *v, const fmb_exact_box_whole *w, int k,
-                                fmb_wide *alpha)
+static int find_place_of_column(const fmb_exact_box *v, fmb_exact_box_whole *w, int k)
 {
     int n = v->program->dim, best = -1;
-    fmb_wide room[DIM];
-    const fmb_wide *column[DIM], *row[DIM];
-    fmb_exact_box_list_column(v, v->basic[k], column, room);
+    const fmb_wide *column[DIM];
+    fmb_exact_box_list_column(v, v->basic[k], column, w->column);
     for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++)
-            row[j] = &w->adjugate[i][j];
-        fmb_wide_dot(&alpha[i], n, row, column, 0);
-        if (i >= k && alpha[i].n > 0 && (best < 0 || alpha[i].n < alpha[best].n))
+        fmb_wide *alpha = &w->fall[i];
+        fmb_exact_box_times_row(w, n, i, column, alpha);
+        if (i >= k && alpha->n > 0 && (best < 0 || alpha->n < w->fall[best].n))
             best = i;
     }
     return best;
 }
 
-static void swap_wides(fmb_wide *a, fmb_wide *b)
+static void put_column(int n, fmb_exact_box_whole *w, int k, int place)
 {
-    fmb_wide c;
-    fmb_wide_copy(&c, a);
-    fmb_wide_copy(a, b);
-    fmb_wide_copy(b, &c);
-}
-
-static void put_column(int n, fmb_exact_box_whole *w, int k, int place, fmb_wide *alpha)
-{
+    fmb_wide *alpha = w->fall;
     for (int j = 0; place != k && j < n; j++)
-        swap_wides(&w->adjugate[k][j], &w->adjugate[place][j]);
+        fmb_wide_swap(&w->adjugate[k][j], &w->adjugate[place][j]);
     if (place != k)
-        swap_wides(&alpha[k], &alpha[place]);
+        fmb_wide_swap(&alpha[k], &alpha[place]);
     for (int i = 0; i < n; i++)
-        for (int j = 0; i != k && j < n; j++) {
-            fmb_wide *a = &w->adjugate[i][j], *b = &w->adjugate[k][j];
-            if (a->n == 0 && (alpha[i].n == 0 || b->n == 0))
-                continue;
-            fmb_wide_cross(a, &alpha[k], a, &alpha[i], b);
-            fmb_wide_divide_exactly(a, &w->det);
-        }
+        for (int j = 0; i != k && j < n; j++)
+            fmb_exact_box_reduce(&w->adjugate[i][j], &alpha[k], &alpha[i], &w->adjugate[k][j],
+                                 false, &w->det);
     fmb_wide_copy(&w->det, &alpha[k]);
 }
 
-/* h less the columns that count once. */
-static void find_rest(const fmb_exact_box *v, fmb_wide *rest)
-{
-    const fmb_exact_box_program *s = v->program;
-    for (int row = 0; row < s->dim; row++) {
-        fmb_wide_copy(&rest[row], &s->h.whole[row]);
-        for (int j = 0; j < s->columns; j++)
-            if (fmb_exact_box_is_one(v, j))
-                fmb_wide_subtract(&rest[row], &s->m[j].whole[row]);
-    }
-}
-
-static void find_values(const fmb_exact_box *v, fmb_exact_box_whole *w)
-{
-    int n = v->program->dim;
-    fmb_wide rest[DIM];
-    const fmb_wide *row[DIM], *factor[DIM];
-    find_rest(v, rest);
-    for (int i = 0; i < n; i++)
-        factor[i] = &rest[i];
-    for (int k = 0; k < n; k++) {
-        for (int j = 0; j < n; j++) {
-            if (w->det.minus)
-                fmb_wide_negate(&w->adjugate[k][j]);
-            row[j] = &w->adjugate[k][j];
-        }
-        fmb_wide_dot(&w->x[k], n, row, factor, 0);
-    }
-    w->det.minus = false;
-}
-
-const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v)
+fmb_exact_box_whole *fmb_exact_box_need_adjugate(fmb_exact_box *v)
 {
     fmb_exact_box_whole *w = v->whole;
-    fmb_wide alpha[DIM];
     int n = v->program->dim, place = 0;
-    if (w->of == v)
+    if (w->adjugate_of == v)
         return w;
-    w->of = v;
+    w->adjugate_of = v;
+    w->of = w->of == v ? v : NULL;
     fmb_wide_set_word(&w->det, 1);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
             fmb_wide_set_word(&w->adjugate[i][j], i == j);
     for (int k = 0; place >= 0 && k < n; k++) {
-        place = find_place_of_column(v, w, k, alpha);
+        place = find_place_of_column(v, w, k);
         if (place >= 0)
-            put_column(n, w, k, place, alpha);
+            put_column(n, w, k, place);
         else
             fmb_wide_set_word(&w->det, 0);
     }
-    if (place >= 0)
-        find_values(v, w);
+    for (int k = 0; w->det.minus && k < n; k++)
+        for (int j = 0; j < n; j++)
+            fmb_wide_negate(&w->adjugate[k][j]);
+    w->det.minus = false;
     return w;
 }
 
@@ -450,10 +494,7 @@ bool fmb_exact_box_take_basis(fmb_exact_box *v, const fmb_exact_box_program *s,
     v->program = s;
     v->basis = *basis;
     v->has_close = false;
-    if (v->whole->of == v)
-        v->whole->of = NULL;
-    if (v->whole->low_of == v)
-        v->whole->low_of = NULL;
+    fmb_exact_box_forget_whole(v->whole, v);
     if (!list_basic_unknowns(v))
         return false;
     find_near(v);

@@ -20,16 +20,33 @@ typedef struct fmb_exact_box_near {
     double x, error;
 } fmb_exact_box_near;
 
+enum {
+    FMB_EXACT_BOX_MINORS = 126,                 /* of one order in dim + 1 columns, at most */
+    FMB_EXACT_BOX_ITEMS = FMB_EXACT_BOX_DIM + 2 /* basic unknowns, references among them */
+};
+
 /* The numbers of one basic solution exactly: P^-1 is adjugate / det, values of basic unknowns are
  * x / det. */
 typedef struct fmb_exact_box_whole {
-    const fmb_poll *poll;           /* asked before each step in integers; NULL: nobody is */
-    const struct fmb_exact_box *of; /* or NULL */
-    fmb_wide adjugate[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM], x[FMB_EXACT_BOX_DIM];
-    fmb_wide det;                       /* >= 0; 0: P has no inverse, and the others mean nothing */
-    const struct fmb_exact_box *low_of; /* or NULL */
-    fmb_exact_box_low low;              /* before signs are such that det >= 0 */
+    const fmb_poll *poll; /* asked before each step in integers; NULL: nobody is */
+    /* Whose det and x, det and adjugate, and low are, or NULL */
+    const struct fmb_exact_box *of, *adjugate_of, *low_of;
+    fmb_wide det; /* >= 0; 0: P has no inverse, and the others mean nothing */
+    fmb_wide x[FMB_EXACT_BOX_DIM], adjugate[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM];
+    fmb_exact_box_low low; /* before signs are such that det >= 0 */
+    /* Room for calculations: long numbers are too long for the stack of a small thread. */
+    fmb_wide minor[2][FMB_EXACT_BOX_MINORS], entry[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM + 1];
+    fmb_wide cost[FMB_EXACT_BOX_DIM], column[FMB_EXACT_BOX_DIM], price[FMB_EXACT_BOX_DIM];
+    fmb_wide value[FMB_EXACT_BOX_ITEMS], fall[FMB_EXACT_BOX_ITEMS]; /* of a walk */
 } fmb_exact_box_whole;
+
+/* Those of v, which is about to change, are no longer known. */
+static inline void fmb_exact_box_forget_whole(fmb_exact_box_whole *w, const struct fmb_exact_box *v)
+{
+    w->of = w->of == v ? NULL : w->of;
+    w->adjugate_of = w->adjugate_of == v ? NULL : w->adjugate_of;
+    w->low_of = w->low_of == v ? NULL : w->low_of;
+}
 
 /* P^-1 is nearly inverse: the sum of what row k of inverse P is off a unit vector is at most
  * defect[k] < 1/2. */
@@ -67,10 +84,32 @@ bool fmb_exact_box_take_basis(fmb_exact_box *v, const fmb_exact_box_program *s,
 /* What an x that is off P x = rest by at most rest[row] in each (scaled) row is off by: error[k].
  */
 void fmb_exact_box_bound_way(const fmb_exact_box *v, const double *rest, double *error);
-/* Its numbers exactly, in v->whole. */
+/* Its values and det exactly, in v->whole; the adjugate and det. */
 const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v);
+fmb_exact_box_whole *fmb_exact_box_need_adjugate(fmb_exact_box *v);
 /* The same modulo 2^128. */
 const fmb_exact_box_low *fmb_exact_box_need_low(fmb_exact_box *v);
+/* Row k of the adjugate times a column. */
+static inline void fmb_exact_box_times_row(const fmb_exact_box_whole *w, int n, int k,
+                                           const fmb_wide *const *column, fmb_wide *out)
+{
+    const fmb_wide *row[FMB_EXACT_BOX_DIM];
+    for (int i = 0; i < n; i++)
+        row[i] = &w->adjugate[k][i];
+    fmb_wide_dot(out, n, row, column, 0);
+}
+
+/* a = (pivot a - b c) / det, or (pivot a + b c) / det: a whole number. */
+static inline void fmb_exact_box_reduce(fmb_wide *a, const fmb_wide *pivot, const fmb_wide *b,
+                                        const fmb_wide *c, bool plus, const fmb_wide *det)
+{
+    if (a->n == 0 && (b->n == 0 || c->n == 0))
+        return;
+    fmb_wide_dot(a, 2, (const fmb_wide *const[]){pivot, b}, (const fmb_wide *const[]){a, c},
+                 plus ? 0 : 2);
+    fmb_wide_divide_exactly(a, det);
+}
+
 /* det less x_only, or less all x of a group where only is -1. */
 void fmb_exact_box_remainder(fmb_exact_box *v, int group, int only, fmb_wide *out);
 

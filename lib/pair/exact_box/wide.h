@@ -34,6 +34,7 @@
 #define fmb_exact_box_near_values   fmb_long_box_near_values
 #define fmb_exact_box_take_basis    fmb_long_box_take_basis
 #define fmb_exact_box_bound_way     fmb_long_box_bound_way
+#define fmb_exact_box_need_adjugate fmb_long_box_need_adjugate
 #define fmb_exact_box_need_whole    fmb_long_box_need_whole
 #define fmb_exact_box_need_low      fmb_long_box_need_low
 #define fmb_exact_box_find_low      fmb_long_box_find_low
@@ -74,6 +75,14 @@ static inline void fmb_wide_copy(fmb_wide *out, const fmb_wide *a)
     out->minus = a->minus;
     for (int i = 0; i < a->n; i++)
         out->word[i] = a->word[i];
+}
+
+static inline void fmb_wide_swap(fmb_wide *a, fmb_wide *b)
+{
+    fmb_wide c;
+    fmb_wide_copy(&c, a);
+    fmb_wide_copy(a, b);
+    fmb_wide_copy(b, &c);
 }
 
 static inline void fmb_wide_negate(fmb_wide *a)
@@ -210,14 +219,6 @@ static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb
  * may be one of the factors. */
 void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide *const *b,
                   unsigned minus);
-
-/* out = a b' - a' b */
-static inline void fmb_wide_cross(fmb_wide *out, const fmb_wide *a, const fmb_wide *other_b,
-                                  const fmb_wide *other_a, const fmb_wide *b)
-{
-    fmb_wide_dot(out, 2, (const fmb_wide *const[]){a, other_a},
-                 (const fmb_wide *const[]){other_b, b}, 2);
-}
 
 /* a *= 2^bits */
 static inline void fmb_wide_shift(fmb_wide *a, int bits)

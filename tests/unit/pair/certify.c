@@ -304,3 +304,52 @@ Test(certify, lowest_words_are_those_of_the_integers)
     cr_expect_gt(zeros, 100);
     cr_expect_gt(10 * told, 9 * zeros, "%d of %d", told, zeros);
 }
+
+/* ---- numbers of several bases in one room ---------------------------------------------------- */
+
+/* det, and a value or a number of the adjugate. */
+static void ask_basis(fmb_exact_box *v, bool adjugate, fmb_wide *out)
+{
+    const fmb_exact_box_whole *w =
+        adjugate ? fmb_exact_box_need_adjugate(v) : fmb_exact_box_need_whole(v);
+    fmb_wide_copy(&out[0], &w->det);
+    fmb_wide_copy(&out[1], adjugate ? &w->adjugate[0][0] : &w->x[0]);
+}
+
+/* Of two bases. */
+static void ask_in_turns(fmb_exact_box *v, uint64_t *state)
+{
+    fmb_wide first[4][2], again[2];
+    for (int turn = 0; turn < 40; turn++) {
+        const int question = turn < 4 ? turn : (int)(next_random(state) % 4);
+        ask_basis(&v[question / 2], question % 2, turn < 4 ? first[question] : again);
+        for (int i = 0; turn >= 4 && i < 2; i++)
+            cr_assert_eq(fmb_wide_compare(&first[question][i], &again[i]), 0);
+    }
+}
+
+Test(certify, bases_that_are_asked_in_turns_keep_their_numbers)
+{
+    uint64_t state = 20261127;
+    int checked = 0;
+    for (int i = 0; i < 400; i++) {
+        const int dim = 2 + i % (DIM - 1);
+        double number[2][DIM * (DIM + 1)];
+        fmb_frame frame[2];
+        fmb_exact_box_program s;
+        fmb_exact_box v[2] = {{.whole = &whole}, {.whole = &whole}};
+        bool good = true;
+        for (int k = 0; k < 2; k++)
+            draw_frame(&state, dim, 13, number[k], &frame[k]);
+        cr_assert(fmb_exact_box_load(&s, &frame[0], &frame[1]));
+        for (int k = 0; k < 2; k++) {
+            fmb_exact_box_basis basis;
+            draw_basis(&state, &s, &basis);
+            good = fmb_exact_box_take_basis(&v[k], &s, &basis) && v[k].is_near && good;
+        }
+        if (good)
+            ask_in_turns(v, &state);
+        checked += good;
+    }
+    cr_expect_gt(checked, 50);
+}
