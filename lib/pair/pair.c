@@ -4,7 +4,6 @@
 #include <stdio.h>
 
 #include "base/sized.h"
-#include "pair/exact_box/exact_box.h"
 #include "pair/kernels/minors_kernels.h"
 #include "pair/pair_contact.h"
 #include "pair/pair_portfolio.h"
@@ -116,6 +115,7 @@ void fmb_pair_free(fmb_pair *k)
     dismiss_workers(k);
     fmb_pair_oracle_close(&k->oracle);
     fmb_general_free(k->general, &k->mem);
+    fmb_exact_boxer_free(k->boxer, &k->mem);
     fmb_mem_put(&k->mem, k->minors, room_of_minors(k->dim), sizeof *k->minors);
     fmb_mem mem = k->mem;
     fmb_mem_put(&mem, k, 1, sizeof *k);
@@ -192,24 +192,17 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
                : fmb_pair_answer_all(k, n, p, q, FMB_PAIR_NEW, &ours);
 }
 
-/* Where numbers are too long for that. */
-static fmb_verdict answer_long(const fmb_frame_q *p, const fmb_frame_q *q,
-                               const fmb_pair_answers_q *out)
-{
-    fmb_mem mem;
-    fmb_mem_init(&mem, NULL, 0);
-    return fmb_long_box_answer_q(p, q, out, &mem);
-}
-
 fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                              const fmb_pair_answers_q *out, fmb_verdict *verdict)
 {
     fmb_pair_answers_q ours;
+    fmb_mem mem;
     if (!p || !q || !out || !verdict || !fmb_sized_take(&ours, sizeof ours, out, "out", NULL, 0) ||
         !fmb_frame_q_is_good(p, p->dim) || !fmb_frame_q_is_good(q, p->dim))
         return FMB_ERR_ARG;
-    *verdict = fmb_exact_box_answer_q(p, q, &ours);
+    fmb_mem_init(&mem, NULL, 0);
+    *verdict = fmb_exact_box_answer_q(p, q, &ours, &mem);
     if (*verdict == FMB_UNKNOWN)
-        *verdict = answer_long(p, q, &ours);
+        *verdict = fmb_long_box_answer_q(p, q, &ours, &mem);
     return FMB_OK;
 }

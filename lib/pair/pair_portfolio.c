@@ -8,7 +8,6 @@
 #include "pair/contact/contact_near.h"
 #include "pair/corner_edges.h"
 #include "pair/corners/cell.h"
-#include "pair/exact_box/exact_box.h"
 #include "pair/kernels/packed_kernels.h"
 
 /* One call of fmb_pair_test. */
@@ -65,6 +64,14 @@ static fmb_status answer_exactly(const query *a, size_t i)
     return fmb_pair_oracle_answer(&a->k->oracle, &a->p[i], &a->q[i], &out);
 }
 
+/* NULL without memory. */
+static fmb_exact_boxer *need_boxer(fmb_pair *k)
+{
+    if (!k->boxer)
+        k->boxer = fmb_exact_boxer_new(&k->mem);
+    return k->boxer;
+}
+
 /* The same, in doubles if they are good enough, or at vertices that are proved. */
 static fmb_status answer_generally(const query *a, size_t i)
 {
@@ -79,7 +86,7 @@ static fmb_status answer_generally(const query *a, size_t i)
     if (done)
         return FMB_OK;
     done = asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES) &&
-           (fmb_exact_box_answer(&a->p[i], &a->q[i], &out) ||
+           (fmb_exact_box_answer(need_boxer(a->k), &a->p[i], &a->q[i], &out) ||
             fmb_pair_oracle_answer_at_vertices(&a->k->oracle, &a->p[i], &a->q[i], &out));
     fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
     return done ? FMB_OK : answer_exactly(a, i);
@@ -183,7 +190,7 @@ static void decide_at_vertices(const query *a, size_t i, fmb_verdict *out)
 {
     if (!asks_exactly(a) || !fmb_way(FMB_WAY_PAIR_VERTICES))
         return;
-    *out = fmb_exact_box_decide(&a->p[i], &a->q[i], a->k->options.contact);
+    *out = fmb_exact_box_decide(need_boxer(a->k), &a->p[i], &a->q[i], a->k->options.contact);
     a->k->counts.exact_verdicts += *out != FMB_UNKNOWN;
     fmb_way_answered(FMB_WAY_PAIR_VERTICES, *out != FMB_UNKNOWN);
 }
@@ -193,7 +200,7 @@ static void meet_at_vertex(const query *a, size_t i, fmb_verdict *out)
 {
     if (a->known != FMB_PAIR_OPEN || a->k->options.contact != FMB_CONTACT_CLOSED ||
         !asks_exactly(a) || !fmb_way(FMB_WAY_PAIR_VERTICES) ||
-        !fmb_exact_box_meet(&a->p[i], &a->q[i]))
+        !fmb_exact_box_meet(need_boxer(a->k), &a->p[i], &a->q[i]))
         return;
     *out = FMB_FEASIBLE;
     a->k->counts.exact_verdicts++;

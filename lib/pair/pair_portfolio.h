@@ -13,6 +13,7 @@
 #include "frame/frame_private.h"
 #include "pair/block.h"
 #include "pair/exact.h"
+#include "pair/exact_box/exact_box.h"
 #include "pair/general/general.h"
 
 /* Blocks by number: [stage][kind], where a kind is [moves][shape of A][shape of B]. What a block
@@ -27,6 +28,7 @@ struct fmb_pair {
     int dim;
     const fmb_pair_kernels *one, *wide; /* for a single pair, for many */
     fmb_general *general;
+    fmb_exact_boxer *boxer; /* since the first pair that it is asked about; or NULL */
     fmb_pair_oracle oracle;
     fmb_pair_counts counts; /* without its size */
     fmb_pair **workers;  /* [threads - 1] one for each other thread, of sets of frames; or NULL */

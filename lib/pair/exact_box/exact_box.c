@@ -12,7 +12,7 @@
 enum { MOST_GOALS = 2 * (2 * FMB_EXACT_BOX_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
 
 /* Many ends are at a vertex where another one was found. */
-typedef struct exact_boxer {
+struct fmb_exact_boxer {
     fmb_exact_box_program program;
     fmb_exact_box_walk walk;
     fmb_exact_box_whole whole;
@@ -22,12 +22,12 @@ typedef struct exact_boxer {
     int points, at;            /* at: one of them */
     fmb_exact_box_goal goal[MOST_GOALS];
     int goals, end[MOST_GOALS]; /* the point where the goal is at its end */
-} exact_boxer;
+};
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
 /* At that basic solution, if it is a vertex; it counts among those whose mean is the witness. */
-static bool take_state_of_basis(exact_boxer *b, const fmb_exact_box_basis *basis)
+static bool take_state_of_basis(fmb_exact_boxer *b, const fmb_exact_box_basis *basis)
 {
     int k = 0;
     while (k < b->points && memcmp(basis, &b->point[k].basis, sizeof *basis) != 0)
@@ -43,7 +43,7 @@ static bool take_state_of_basis(exact_boxer *b, const fmb_exact_box_basis *basis
 }
 
 /* From where doubles got to, on in integers. */
-static fmb_verdict go_on_exactly(exact_boxer *b, const fmb_exact_box_goal *goal)
+static fmb_verdict go_on_exactly(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     fmb_exact_box *v = &b->point[b->points];
     if (!fmb_exact_box_take_basis(v, &b->program, &b->walk.basis))
@@ -53,7 +53,7 @@ static fmb_verdict go_on_exactly(exact_boxer *b, const fmb_exact_box_goal *goal)
     return verdict == FMB_FEASIBLE && !take_state_of_basis(b, &basis) ? FMB_UNKNOWN : verdict;
 }
 
-static void forget_points(exact_boxer *b)
+static void forget_points(fmb_exact_boxer *b)
 {
     b->points = 0;
     b->whole.of = b->whole.adjugate_of = b->whole.low_of = NULL;
@@ -62,7 +62,7 @@ static void forget_points(exact_boxer *b)
 }
 
 /* To a first vertex, which doubles may leave unproved. */
-static fmb_verdict find_vertex(exact_boxer *b, bool prove)
+static fmb_verdict find_vertex(fmb_exact_boxer *b, bool prove)
 {
     forget_points(b);
     if (fmb_exact_box_walk_start(&b->walk, &b->program)) {
@@ -76,7 +76,7 @@ static fmb_verdict find_vertex(exact_boxer *b, bool prove)
 }
 
 /* How far visited point k is in the direction of the goal, roughly. */
-static double near_value_of_goal(const exact_boxer *b, const fmb_exact_box_goal *goal, int k)
+static double near_value_of_goal(const fmb_exact_boxer *b, const fmb_exact_box_goal *goal, int k)
 {
     double value = goal->is_world ? 0 : b->near[k][goal->number];
     for (int j = 0; goal->is_world && j < b->program.columns; j++)
@@ -84,7 +84,7 @@ static double near_value_of_goal(const exact_boxer *b, const fmb_exact_box_goal 
     return goal->greatest ? value : -value;
 }
 
-static bool is_end_visited(exact_boxer *b, const fmb_exact_box_goal *goal)
+static bool is_end_visited(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     double most = -INFINITY;
     b->at = 0;
@@ -98,13 +98,13 @@ static bool is_end_visited(exact_boxer *b, const fmb_exact_box_goal *goal)
     return b->points > 0 && fmb_exact_box_is_farthest(&b->point[b->at], goal);
 }
 
-static bool is_end_reached(exact_boxer *b, const fmb_exact_box_goal *goal)
+static bool is_end_reached(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     return fmb_exact_box_walk_to(&b->walk, goal) && take_state_of_basis(b, &b->walk.basis) &&
            fmb_exact_box_is_farthest(&b->point[b->at], goal);
 }
 
-static bool take_state_at_end(exact_boxer *b, const fmb_exact_box_goal *goal)
+static bool take_state_at_end(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     return is_end_visited(b, goal) || is_end_reached(b, goal) ||
            go_on_exactly(b, goal) == FMB_FEASIBLE;
@@ -120,7 +120,7 @@ static int add_goals(fmb_exact_box_goal *goal, int goals, bool is_world, int fir
     return goals;
 }
 
-static void list_goals(exact_boxer *b, bool world, bool inside, bool time)
+static void list_goals(fmb_exact_boxer *b, bool world, bool inside, bool time)
 {
     const fmb_exact_box_program *s = &b->program;
     int last = s->time < 0 ? s->columns : s->time;
@@ -129,7 +129,7 @@ static void list_goals(exact_boxer *b, bool world, bool inside, bool time)
     b->goals = add_goals(b->goal, n, false, s->time, time && s->time >= 0);
 }
 
-static bool find_ends(exact_boxer *b)
+static bool find_ends(fmb_exact_boxer *b)
 {
     for (int i = 0; i < b->goals; i++) {
         if (fmb_poll_ask(b->whole.poll) != FMB_OK || !take_state_at_end(b, &b->goal[i]))
@@ -140,10 +140,10 @@ static bool find_ends(exact_boxer *b)
 }
 
 /* What to do with one goal, at the point where it is at its end. */
-typedef bool write_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *to);
+typedef bool write_end(fmb_exact_boxer *b, const fmb_exact_box_goal *goal, void *to);
 
 /* Those of one point after another, as it has numbers that all of its goals share. */
-static bool write_wanted_ends(exact_boxer *b, write_end *write, void *to)
+static bool write_wanted_ends(fmb_exact_boxer *b, write_end *write, void *to)
 {
     bool good = true;
     for (int k = 0; k < b->points; k++)
@@ -174,7 +174,7 @@ typedef struct box_answer {
     double end[GROUPS][2 * FMB_EXACT_BOX_DIM];
 } box_answer;
 
-static bool write_rounded_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *self)
+static bool write_rounded_end(fmb_exact_boxer *b, const fmb_exact_box_goal *goal, void *self)
 {
     box_answer *to = self;
     int group, exponent = goal->is_world ? b->program.exponent[goal->number] : 0;
@@ -183,7 +183,7 @@ static bool write_rounded_end(exact_boxer *b, const fmb_exact_box_goal *goal, vo
 }
 
 /* Coordinate i of visited point k. */
-static double coordinate_of_point(exact_boxer *b, const fmb_frame *p, int k, int i)
+static double coordinate_of_point(fmb_exact_boxer *b, const fmb_frame *p, int k, int i)
 {
     const double *z = b->near[k];
     bool by_corners = fmb_frame_is_by_corners(p->shape);
@@ -197,7 +197,7 @@ static double coordinate_of_point(exact_boxer *b, const fmb_frame *p, int k, int
 }
 
 /* Next to the largest double shares are added up instead. */
-static void write_mean_of_extreme_points(exact_boxer *b, const fmb_frame *p, double *x)
+static void write_mean_of_extreme_points(fmb_exact_boxer *b, const fmb_frame *p, double *x)
 {
     for (int i = 0; i < p->dim; i++) {
         double sum = 0, shares = 0;
@@ -216,7 +216,7 @@ static void copy_ends(double *to, const double *from, int n)
         to[i] = from[i];
 }
 
-static bool answer(exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
+static bool answer(fmb_exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
                    const fmb_pair_answers *out)
 {
     box_answer found = {.end[TIME] = {0, 1}};
@@ -254,7 +254,8 @@ static mpq_srcptr unit_of_goal(mpq_t *unit, const fmb_exact_box_goal *goal)
     return goal->is_world ? unit[goal->number] : NULL;
 }
 
-static void write_value_here(exact_boxer *b, mpq_t *unit, const fmb_exact_box_goal *goal, mpq_t out)
+static void write_value_here(fmb_exact_boxer *b, mpq_t *unit, const fmb_exact_box_goal *goal,
+                             mpq_t out)
 {
     fmb_wide numerator, denominator;
     fmb_exact_box_value(&b->point[b->at], goal, &numerator, &denominator);
@@ -267,7 +268,7 @@ typedef struct exact_answer {
     mpq_t *unit;
 } exact_answer;
 
-static bool write_exact_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *self)
+static bool write_exact_end(fmb_exact_boxer *b, const fmb_exact_box_goal *goal, void *self)
 {
     const exact_answer *a = self;
     mpq_t *const to[GROUPS] = {a->out->world, a->out->inside, a->out->time};
@@ -278,7 +279,7 @@ static bool write_exact_end(exact_boxer *b, const fmb_exact_box_goal *goal, void
 }
 
 /* The vertex at which b stands: in the world, in B, its time. */
-static void write_extreme_point(exact_boxer *b, mpq_t *unit, mpq_t *out)
+static void write_extreme_point(fmb_exact_boxer *b, mpq_t *unit, mpq_t *out)
 {
     const fmb_exact_box_program *s = &b->program;
     for (int i = 0; i < s->dim; i++)
@@ -288,7 +289,7 @@ static void write_extreme_point(exact_boxer *b, mpq_t *unit, mpq_t *out)
                          out[s->dim + j - s->first_of_b]);
 }
 
-static fmb_verdict answer_in_units(exact_boxer *b, mpq_t *unit, const fmb_frame_q *p,
+static fmb_verdict answer_in_units(fmb_exact_boxer *b, mpq_t *unit, const fmb_frame_q *p,
                                    const fmb_frame_q *q, const fmb_pair_answers_q *out)
 {
     exact_answer to = {out, unit};
@@ -303,7 +304,7 @@ static fmb_verdict answer_in_units(exact_boxer *b, mpq_t *unit, const fmb_frame_
     return find_ends(b) && write_wanted_ends(b, write_exact_end, &to) ? FMB_FEASIBLE : FMB_UNKNOWN;
 }
 
-static fmb_verdict answer_q(exact_boxer *b, const fmb_frame_q *p, const fmb_frame_q *q,
+static fmb_verdict answer_q(fmb_exact_boxer *b, const fmb_frame_q *p, const fmb_frame_q *q,
                             const fmb_pair_answers_q *out)
 {
     mpq_t unit[FMB_EXACT_BOX_DIM];
@@ -317,56 +318,53 @@ static fmb_verdict answer_q(exact_boxer *b, const fmb_frame_q *p, const fmb_fram
 
 /* ---- all of it ------------------------------------------------------------------------------- */
 
-#ifdef FMB_WIDE_LONG
-
-/* [give] NULL: there is no room for it. */
-static exact_boxer *new_boxer(fmb_mem *mem, const fmb_poll *poll)
+fmb_exact_boxer *fmb_exact_boxer_new(fmb_mem *mem)
 {
-    exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
+    fmb_exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
     if (b)
-        b->whole.poll = poll;
+        b->whole.poll = NULL;
     return b;
 }
+
+void fmb_exact_boxer_free(fmb_exact_boxer *b, fmb_mem *mem)
+{
+    fmb_mem_put(mem, b, 1, sizeof *b);
+}
+
+fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                   const fmb_pair_answers_q *out, fmb_mem *mem)
+{
+    fmb_exact_boxer *b = fmb_exact_boxer_new(mem);
+    fmb_verdict verdict = b ? answer_q(b, p, q, out) : FMB_UNKNOWN;
+    fmb_exact_boxer_free(b, mem);
+    return verdict;
+}
+
+#ifdef FMB_WIDE_LONG
 
 bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
                          fmb_mem *mem, const fmb_poll *poll)
 {
-    exact_boxer *b = new_boxer(mem, poll);
+    fmb_exact_boxer *b = fmb_exact_boxer_new(mem);
+    if (b)
+        b->whole.poll = poll;
     bool done = b && answer(b, p, q, out);
-    fmb_mem_put(mem, b, 1, sizeof *b);
+    fmb_exact_boxer_free(b, mem);
     return done;
-}
-
-fmb_verdict fmb_long_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
-                                  const fmb_pair_answers_q *out, fmb_mem *mem)
-{
-    exact_boxer *b = new_boxer(mem, NULL);
-    fmb_verdict verdict = b ? answer_q(b, p, q, out) : FMB_UNKNOWN;
-    fmb_mem_put(mem, b, 1, sizeof *b);
-    return verdict;
 }
 
 #else
 
-bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
+bool fmb_exact_box_answer(fmb_exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
+                          const fmb_pair_answers *out)
 {
-    exact_boxer b;
-    b.whole.poll = NULL;
-    return answer(&b, p, q, out);
-}
-
-fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
-                                   const fmb_pair_answers_q *out)
-{
-    exact_boxer b;
-    b.whole.poll = NULL;
-    return answer_q(&b, p, q, out);
+    return b && answer(b, p, q, out);
 }
 
 /* ---- verdicts -------------------------------------------------------------------------------- */
 
 /* Is some common point off that end of unknown j's place? UNKNOWN if that was not proved. */
-static fmb_verdict find_point_off_end(exact_boxer *b, int j, bool high)
+static fmb_verdict find_point_off_end(fmb_exact_boxer *b, int j, bool high)
 {
     for (int k = 0; k < b->points; k++)
         if (fmb_exact_box_is_off_end(&b->point[k], j, high))
@@ -378,7 +376,7 @@ static fmb_verdict find_point_off_end(exact_boxer *b, int j, bool high)
 
 /* The mean of common points that are, one or the other, off all ends of places, but those of the
  * time, is inside both frames. */
-static fmb_verdict find_inner_point(exact_boxer *b)
+static fmb_verdict find_inner_point(fmb_exact_boxer *b)
 {
     const fmb_exact_box_program *s = &b->program;
     fmb_verdict verdict = FMB_FEASIBLE;
@@ -392,22 +390,22 @@ static fmb_verdict find_inner_point(exact_boxer *b)
     return verdict;
 }
 
-fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact)
+fmb_verdict fmb_exact_box_decide(fmb_exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
+                                 fmb_contact contact)
 {
-    exact_boxer b;
-    b.whole.poll = NULL;
-    if (!fmb_exact_box_load(&b.program, p, q))
+    if (!b || !fmb_exact_box_load(&b->program, p, q))
         return FMB_UNKNOWN;
-    fmb_verdict verdict = find_vertex(&b, true);
-    return verdict == FMB_FEASIBLE && contact == FMB_CONTACT_OPEN ? find_inner_point(&b) : verdict;
+    fmb_verdict verdict = find_vertex(b, true);
+    return verdict == FMB_FEASIBLE && contact == FMB_CONTACT_OPEN ? find_inner_point(b) : verdict;
 }
 
-bool fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q)
+bool fmb_exact_box_meet(fmb_exact_boxer *b, const fmb_frame *p, const fmb_frame *q)
 {
-    exact_boxer b;
-    forget_points(&b);
-    return fmb_exact_box_load(&b.program, p, q) && fmb_exact_box_walk_start(&b.walk, &b.program) &&
-           take_state_of_basis(&b, &b.walk.basis);
+    if (!b || !fmb_exact_box_load(&b->program, p, q))
+        return false;
+    forget_points(b);
+    return fmb_exact_box_walk_start(&b->walk, &b->program) &&
+           take_state_of_basis(b, &b->walk.basis);
 }
 
 #endif

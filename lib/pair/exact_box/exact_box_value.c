@@ -18,7 +18,16 @@ enum { DIM = FMB_EXACT_BOX_DIM };
 
 /* ---- costs ----------------------------------------------------------------------------------- */
 
-static const fmb_wide WHOLE_ZERO = {0, false, {0}}, WHOLE_ONE = {1, false, {1}};
+/* 0 and 1, as columns of the program have them. */
+static fmb_exact_box_cost nothing(const fmb_exact_box_program *s)
+{
+    return (fmb_exact_box_cost){&s->m[s->slack].whole[0], 0, 0};
+}
+
+static fmb_exact_box_cost one(const fmb_exact_box_program *s)
+{
+    return (fmb_exact_box_cost){&s->m[s->artificial].whole[0], 1, 0};
+}
 
 static fmb_exact_box_cost cost_of(const fmb_exact_box_vector *x, int row)
 {
@@ -32,9 +41,9 @@ void fmb_exact_box_list_costs(const fmb_exact_box *v, const fmb_exact_box_goal *
     int last = s->time < 0 ? s->columns : s->time, row = goal->number;
     int first = v->side == 0 ? 0 : s->first_of_b, end = v->side == 0 ? s->first_of_b : last;
     for (int j = 0; j < s->unknowns; j++)
-        cost[j] = (fmb_exact_box_cost){&WHOLE_ZERO, 0, 0};
+        cost[j] = nothing(s);
     if (!goal->is_world) {
-        cost[goal->number] = (fmb_exact_box_cost){&WHOLE_ONE, 1, 0};
+        cost[goal->number] = one(s);
         return;
     }
     for (int j = first; j < end; j++)
@@ -42,13 +51,13 @@ void fmb_exact_box_list_costs(const fmb_exact_box *v, const fmb_exact_box_goal *
     if (s->time >= 0)
         cost[s->time] = cost_of(&s->speed[v->side], row);
     if (v->side == 1)
-        cost[s->artificial + row] = (fmb_exact_box_cost){&WHOLE_ONE, 1, 0};
+        cost[s->artificial + row] = one(s);
 }
 
 static fmb_exact_box_cost constant_of_goal(const fmb_exact_box *v, const fmb_exact_box_goal *goal)
 {
     return goal->is_world ? cost_of(&v->program->origin[v->side], goal->number)
-                          : (fmb_exact_box_cost){&WHOLE_ZERO, 0, 0};
+                          : nothing(v->program);
 }
 
 /* ---- in integers ----------------------------------------------------------------------------- */
@@ -71,7 +80,7 @@ void fmb_exact_box_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, fmb_w
         if (a[n]->n > 0)
             b[n++] = &v->whole->x[k];
     }
-    fmb_wide_copy(denominator, n > 0 ? &fmb_exact_box_need_whole(v)->det : &WHOLE_ONE);
+    fmb_wide_copy(denominator, n > 0 ? &fmb_exact_box_need_whole(v)->det : one(s).whole);
     a[n] = &constant;
     b[n] = denominator;
     fmb_wide_dot(numerator, n + 1, a, b, 0);

@@ -24,9 +24,6 @@ typedef struct exact_walk {
     bool turned;                                     /* less, rather */
 } exact_walk;
 
-static const fmb_wide WHOLE_ZERO = {0, false, {0}};
-static const fmb_wide WHOLE_SIGN[2] = {{1, false, {1}}, {1, true, {1}}};
-
 static int place_group(const exact_walk *w, int unknown)
 {
     return w->v->program->group[unknown];
@@ -76,11 +73,14 @@ static void list_exact_costs(exact_walk *w, const fmb_exact_box_goal *goal)
         fmb_exact_box_list_costs(w->v, goal, w->cost);
         return;
     }
+    for (int i = 0; i < 3; i++) {
+        fmb_wide_set_word(&w->whole->way[i], i != 1);
+        w->whole->way[i].minus = i == 2;
+    }
     for (int j = 0; j < w->v->program->unknowns; j++)
-        w->cost[j].whole = &WHOLE_ZERO;
+        w->cost[j].whole = &w->whole->way[1];
     for (int i = 0; i < w->items; i++)
-        if (w->out[i] != 0)
-            w->cost[w->unknown[i]].whole = &WHOLE_SIGN[w->out[i] > 0];
+        w->cost[w->unknown[i]].whole = &w->whole->way[1 + w->out[i]];
 }
 
 /* The first unknown that gains where it leaves its end, or -1. */

@@ -37,7 +37,8 @@ typedef struct fmb_exact_box_whole {
     /* Room for calculations: long numbers are too long for the stack of a small thread. */
     fmb_wide minor[2][FMB_EXACT_BOX_MINORS], entry[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM + 1];
     fmb_wide cost[FMB_EXACT_BOX_DIM], column[FMB_EXACT_BOX_DIM], price[FMB_EXACT_BOX_DIM];
-    fmb_wide value[FMB_EXACT_BOX_ITEMS], fall[FMB_EXACT_BOX_ITEMS]; /* of a walk */
+    /* Of a walk; way: 1, 0 and -1, the way into its place of what is below, in, and above it. */
+    fmb_wide value[FMB_EXACT_BOX_ITEMS], fall[FMB_EXACT_BOX_ITEMS], way[3];
 } fmb_exact_box_whole;
 
 /* Those of v, which is about to change, are no longer known. */

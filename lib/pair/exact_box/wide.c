@@ -6,6 +6,110 @@
 
 #include "pair/kernels/lane/error_free.h"
 
+/* a += b in magnitude */
+static void add_magnitude(fmb_wide *a, const fmb_wide *b)
+{
+    uint64_t carry = 0;
+    for (; a->n < b->n; a->n++)
+        a->word[a->n] = 0;
+    for (int i = 0; i < a->n && (i < b->n || carry != 0); i++) {
+        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_of(a->word[i]), i < b->n ? b->word[i] : 0);
+        sum = fmb_u128_plus_word(sum, carry);
+        a->word[i] = fmb_u128_low(sum);
+        carry = fmb_u128_high(sum);
+    }
+    if (carry != 0) {
+        assert(a->n < FMB_WIDE_WORDS);
+        a->word[a->n++] = carry;
+    }
+}
+
+/* a = large - small in magnitude; a may be either. */
+static void subtract_magnitudes(fmb_wide *a, const fmb_wide *large, const fmb_wide *small)
+{
+    uint64_t borrow = 0;
+    int n = small->n;
+    for (int i = 0; i < n; i++) {
+        uint64_t x = large->word[i], y = small->word[i], less = x - y;
+        a->word[i] = less - borrow;
+        borrow = (x < y) | (less < borrow);
+    }
+    for (int i = n; i < large->n; i++) {
+        uint64_t x = large->word[i];
+        a->word[i] = x - borrow;
+        borrow = x < borrow;
+    }
+    a->n = large->n;
+    fmb_wide_trim(a);
+}
+
+void fmb_wide_gather(fmb_wide *a, const fmb_wide *b, bool subtract)
+{
+    bool minus = b->minus != subtract;
+    if (b->n == 0)
+        return;
+    if (a->n == 0) {
+        fmb_wide_copy(a, b);
+        a->minus = minus;
+    } else if (a->minus == minus) {
+        add_magnitude(a, b);
+    } else if (fmb_wide_compare_magnitudes(a, b) >= 0) {
+        subtract_magnitudes(a, a, b);
+    } else {
+        a->minus = minus;
+        subtract_magnitudes(a, b, a);
+    }
+}
+
+/* out += x b, from word `at` on, where out has b->n words and then one that is not set. */
+static void add_row(fmb_wide *out, int at, uint64_t x, const fmb_wide *b)
+{
+    uint64_t carry = 0;
+    for (int j = 0; j < b->n; j++) {
+        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b->word[j]), out->word[at + j]);
+        sum = fmb_u128_plus_word(sum, carry);
+        out->word[at + j] = fmb_u128_low(sum);
+        carry = fmb_u128_high(sum);
+    }
+    out->word[at + b->n] = carry;
+}
+
+void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b)
+{
+    out->n = 0;
+    out->minus = false;
+    if (a->n == 0 || b->n == 0)
+        return;
+    assert(a->n + b->n <= FMB_WIDE_WORDS);
+    for (int j = 0; j < b->n; j++)
+        out->word[j] = 0;
+    for (int i = 0; i < a->n; i++)
+        if (a->word[i] != 0)
+            add_row(out, i, a->word[i], b);
+        else
+            out->word[i + b->n] = 0;
+    out->n = a->n + b->n;
+    out->minus = a->minus != b->minus;
+    fmb_wide_trim(out);
+}
+
+void fmb_wide_shift(fmb_wide *a, int bits)
+{
+    int words = bits / 64, rest = bits % 64;
+    if (a->n == 0)
+        return;
+    assert(a->n + words < FMB_WIDE_WORDS);
+    a->word[a->n] = 0;
+    for (int i = a->n; i >= 0; i--) {
+        uint64_t below = i > 0 && rest > 0 ? a->word[i - 1] >> (64 - rest) : 0;
+        a->word[i + words] = (a->word[i] << rest) | below;
+    }
+    for (int i = 0; i < words; i++)
+        a->word[i] = 0;
+    a->n += words + 1;
+    fmb_wide_trim(a);
+}
+
 /* Long numbers often end in zeros: powers of two between what is large and what is small. */
 static int first_word(const fmb_wide *a)
 {

@@ -17,6 +17,9 @@
 #include "num/vec.h"
 
 #ifdef FMB_WIDE_LONG
+#define fmb_exact_boxer_new         fmb_long_boxer_new
+#define fmb_exact_boxer_free        fmb_long_boxer_free
+#define fmb_exact_box_answer_q      fmb_long_box_answer_q
 #define fmb_exact_box_are_apart     fmb_long_box_are_apart
 #define fmb_exact_box_is_farthest   fmb_long_box_is_farthest
 #define fmb_exact_box_find_prices   fmb_long_box_find_prices
@@ -42,6 +45,9 @@
 #define fmb_exact_box_list_column   fmb_long_box_list_column
 #define fmb_exact_box_walk_start    fmb_long_box_walk_start
 #define fmb_exact_box_walk_to       fmb_long_box_walk_to
+#define fmb_wide_gather             fmb_long_number_gather
+#define fmb_wide_multiply           fmb_long_number_multiply
+#define fmb_wide_shift              fmb_long_number_shift
 #define fmb_wide_dot                fmb_long_number_dot
 #define fmb_wide_divide_exactly     fmb_long_number_divide_exactly
 #define fmb_wide_to_doubles         fmb_long_number_to_doubles
@@ -115,62 +121,8 @@ static inline int fmb_wide_compare(const fmb_wide *a, const fmb_wide *b)
     return sign * fmb_wide_compare_magnitudes(a, b);
 }
 
-/* a += b in magnitude */
-static inline void fmb_wide_add_magnitude(fmb_wide *a, const fmb_wide *b)
-{
-    uint64_t carry = 0;
-    for (; a->n < b->n; a->n++)
-        a->word[a->n] = 0;
-    for (int i = 0; i < a->n && (i < b->n || carry != 0); i++) {
-        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_of(a->word[i]), i < b->n ? b->word[i] : 0);
-        sum = fmb_u128_plus_word(sum, carry);
-        a->word[i] = fmb_u128_low(sum);
-        carry = fmb_u128_high(sum);
-    }
-    if (carry != 0) {
-        assert(a->n < FMB_WIDE_WORDS);
-        a->word[a->n++] = carry;
-    }
-}
-
-/* a = large - small in magnitude; a may be either. */
-static inline void fmb_wide_subtract_magnitudes(fmb_wide *a, const fmb_wide *large,
-                                                const fmb_wide *small)
-{
-    uint64_t borrow = 0;
-    int n = small->n;
-    for (int i = 0; i < n; i++) {
-        uint64_t x = large->word[i], y = small->word[i], less = x - y;
-        a->word[i] = less - borrow;
-        borrow = (x < y) | (less < borrow);
-    }
-    for (int i = n; i < large->n; i++) {
-        uint64_t x = large->word[i];
-        a->word[i] = x - borrow;
-        borrow = x < borrow;
-    }
-    a->n = large->n;
-    fmb_wide_trim(a);
-}
-
 /* a += b, or a -= b */
-static inline void fmb_wide_gather(fmb_wide *a, const fmb_wide *b, bool subtract)
-{
-    bool minus = b->minus != subtract;
-    if (b->n == 0)
-        return;
-    if (a->n == 0) {
-        fmb_wide_copy(a, b);
-        a->minus = minus;
-    } else if (a->minus == minus) {
-        fmb_wide_add_magnitude(a, b);
-    } else if (fmb_wide_compare_magnitudes(a, b) >= 0) {
-        fmb_wide_subtract_magnitudes(a, a, b);
-    } else {
-        a->minus = minus;
-        fmb_wide_subtract_magnitudes(a, b, a);
-    }
-}
+void fmb_wide_gather(fmb_wide *a, const fmb_wide *b, bool subtract);
 
 static inline void fmb_wide_add(fmb_wide *a, const fmb_wide *b)
 {
@@ -182,38 +134,8 @@ static inline void fmb_wide_subtract(fmb_wide *a, const fmb_wide *b)
     fmb_wide_gather(a, b, true);
 }
 
-/* out += x b, from word `at` on, where out has b->n words and then one that is not set. */
-static inline void fmb_wide_add_row(fmb_wide *out, int at, uint64_t x, const fmb_wide *b)
-{
-    uint64_t carry = 0;
-    for (int j = 0; j < b->n; j++) {
-        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b->word[j]), out->word[at + j]);
-        sum = fmb_u128_plus_word(sum, carry);
-        out->word[at + j] = fmb_u128_low(sum);
-        carry = fmb_u128_high(sum);
-    }
-    out->word[at + b->n] = carry;
-}
-
 /* out = a b; out is neither. */
-static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b)
-{
-    out->n = 0;
-    out->minus = false;
-    if (a->n == 0 || b->n == 0)
-        return;
-    assert(a->n + b->n <= FMB_WIDE_WORDS);
-    for (int j = 0; j < b->n; j++)
-        out->word[j] = 0;
-    for (int i = 0; i < a->n; i++)
-        if (a->word[i] != 0)
-            fmb_wide_add_row(out, i, a->word[i], b);
-        else
-            out->word[i + b->n] = 0;
-    out->n = a->n + b->n;
-    out->minus = a->minus != b->minus;
-    fmb_wide_trim(out);
-}
+void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b);
 
 /* out = the sum of a[i] b[i], or of - a[i] b[i] where bit i of minus is set, 0 <= i < n <= 16. It
  * may be one of the factors. */
@@ -221,22 +143,7 @@ void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide
                   unsigned minus);
 
 /* a *= 2^bits */
-static inline void fmb_wide_shift(fmb_wide *a, int bits)
-{
-    int words = bits / 64, rest = bits % 64;
-    if (a->n == 0)
-        return;
-    assert(a->n + words < FMB_WIDE_WORDS);
-    a->word[a->n] = 0;
-    for (int i = a->n; i >= 0; i--) {
-        uint64_t below = i > 0 && rest > 0 ? a->word[i - 1] >> (64 - rest) : 0;
-        a->word[i + words] = (a->word[i] << rest) | below;
-    }
-    for (int i = 0; i < words; i++)
-        a->word[i] = 0;
-    a->n += words + 1;
-    fmb_wide_trim(a);
-}
+void fmb_wide_shift(fmb_wide *a, int bits);
 
 /* a /= d, which divides it. */
 void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d);

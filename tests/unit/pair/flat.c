@@ -98,6 +98,8 @@ static fmb_pair_bits ask(const fmb_pair_kernels *w, const kind *k, const fmb_fra
 
 typedef struct truth {
     fmb_pair *closed[4], *open[4]; /* by dim */
+    fmb_mem mem;
+    fmb_exact_boxer *boxer;
 } truth;
 
 static truth truth_new(void)
@@ -110,6 +112,9 @@ static truth truth_new(void)
         o.contact = FMB_CONTACT_OPEN;
         must(fmb_pair_new(dim, &o, NULL, &t.open[dim]));
     }
+    fmb_mem_init(&t.mem, NULL, 0);
+    t.boxer = fmb_exact_boxer_new(&t.mem);
+    cr_assert(t.boxer);
     return t;
 }
 
@@ -119,6 +124,7 @@ static void truth_free(truth *t)
         fmb_pair_free(t->closed[dim]);
         fmb_pair_free(t->open[dim]);
     }
+    fmb_exact_boxer_free(t->boxer, &t->mem);
 }
 
 /* Which of the lanes asked for are apart when closed, which meet when open. */
@@ -191,7 +197,8 @@ static int check_exact(const truth *t, const kind *k, const fmb_frame *p, const 
 {
     int decided = 0;
     for (int contact = 0; contact < 2; contact++) {
-        fmb_verdict is = FMB_UNKNOWN, says = fmb_exact_box_decide(p, q, (fmb_contact)contact);
+        fmb_verdict is = FMB_UNKNOWN,
+                    says = fmb_exact_box_decide(t->boxer, p, q, (fmb_contact)contact);
         fmb_pair *ask = contact ? t->open[k->dim] : t->closed[k->dim];
         if (says == FMB_UNKNOWN)
             continue;
