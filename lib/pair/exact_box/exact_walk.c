@@ -312,7 +312,8 @@ static void put_unit_basis(const fmb_exact_box_program *s, fmb_exact_box_basis *
             basis->place[j] = FMB_EXACT_BOX_BASIC;
 }
 
-static bool stand_at(fmb_exact_box *v)
+/* What is known of the basis that v came from is not of the one where it is. */
+static bool look_again(fmb_exact_box *v)
 {
     fmb_exact_box_basis basis = v->basis;
     return fmb_exact_box_take_basis(v, v->program, &basis);
@@ -323,9 +324,9 @@ fmb_verdict fmb_exact_box_walk_exactly(fmb_exact_box *v, const fmb_exact_box_goa
     exact_walk w = {.v = v};
     if (fmb_exact_box_need_whole(v)->det.n == 0)
         put_unit_basis(v->program, &v->basis);
-    if (!stand_at(v))
+    if (!look_again(v))
         return FMB_UNKNOWN;
     list_items(&w);
     fmb_verdict verdict = walk_on(&w, goal);
-    return stand_at(v) ? verdict : FMB_UNKNOWN;
+    return look_again(v) ? verdict : FMB_UNKNOWN;
 }

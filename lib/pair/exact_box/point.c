@@ -220,7 +220,7 @@ static void find_near(fmb_exact_box *v)
  */
 
 /* Columns of P, and behind them h less the columns that count once: row by row. */
-static void list_entries(fmb_exact_box *v, const fmb_wide *(*entry)[DIM + 1])
+static void list_whole_entries(fmb_exact_box *v, const fmb_wide *(*entry)[DIM + 1])
 {
     const fmb_exact_box_program *s = v->program;
     fmb_wide(*room)[DIM + 1] = v->whole->entry;
@@ -240,8 +240,8 @@ static void list_entries(fmb_exact_box *v, const fmb_wide *(*entry)[DIM + 1])
 }
 
 /* The minor of a set of columns, which is one row larger than those at `before`. */
-static void find_minor(unsigned set, int row, const fmb_wide *const *entry, const fmb_wide *before,
-                       const unsigned char *slot, fmb_wide *out)
+static void expand_minor(unsigned set, int row, const fmb_wide *const *entry,
+                         const fmb_wide *before, const unsigned char *slot, fmb_wide *out)
 {
     const fmb_wide *a[DIM + 1], *b[DIM + 1];
     unsigned minus = 0;
@@ -259,13 +259,13 @@ static void find_minor(unsigned set, int row, const fmb_wide *const *entry, cons
 }
 
 /* The minors of all rows, in the order of their sets: without column n, which is det, n - 1, ... */
-static const fmb_wide *find_minors(fmb_exact_box *v)
+static const fmb_wide *find_whole_minors(fmb_exact_box *v)
 {
     const int n = v->program->dim;
     const fmb_wide *entry[DIM][DIM + 1];
     unsigned char slot[2U << DIM];
     fmb_exact_box_whole *w = v->whole;
-    list_entries(v, entry);
+    list_whole_entries(v, entry);
     slot[0] = 0;
     fmb_wide_set_word(&w->minor[0][0], 1);
     for (int row = 0; row < n; row++) {
@@ -273,8 +273,8 @@ static const fmb_wide *find_minors(fmb_exact_box *v)
         for (unsigned set = 1; set < 2U << n; set++)
             if (__builtin_popcount(set) == row + 1) {
                 slot[set] = next++;
-                find_minor(set, row, entry[row], w->minor[row % 2], slot,
-                           &w->minor[(row + 1) % 2][slot[set]]);
+                expand_minor(set, row, entry[row], w->minor[row % 2], slot,
+                             &w->minor[(row + 1) % 2][slot[set]]);
             }
     }
     return w->minor[n % 2];
@@ -287,7 +287,7 @@ const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v)
     const int n = v->program->dim;
     if (w->of == v)
         return w;
-    const fmb_wide *minor = find_minors(v);
+    const fmb_wide *minor = find_whole_minors(v);
     w->of = v;
     w->adjugate_of = w->adjugate_of == v ? v : NULL;
     fmb_wide_copy(&w->det, &minor[0]);
