@@ -13,7 +13,7 @@
 
 #include "pair/exact_box/exact_box_value.h"
 
-enum { DIM = FMB_EXACT_BOX_DIM };
+#define DIM FMB_EXACT_BOX_DIM
 
 #define UNIT 0x1p-53
 #define SMALL                                                                                      \

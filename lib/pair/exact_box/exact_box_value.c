@@ -8,7 +8,7 @@
 
 #include "pair/exact_box/outward.h"
 
-enum { DIM = FMB_EXACT_BOX_DIM };
+#define DIM FMB_EXACT_BOX_DIM
 
 #define CLOSE_UNIT LANE2_UNIT(true)
 

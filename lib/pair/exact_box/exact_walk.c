@@ -10,7 +10,8 @@
 
 #include "pair/exact_box/exact_box_value.h"
 
-enum { DIM = FMB_EXACT_BOX_DIM, MOST_STEPS = 256 };
+#define DIM FMB_EXACT_BOX_DIM
+enum { MOST_STEPS = 256 };
 
 /* Items are the basic unknowns: those of P, item k in place k, and then the references. Values and
  * falls of items are in v->whole. */

@@ -1,7 +1,7 @@
 /* low_words.c: see low_words.h. */
 #include "pair/exact_box/low_words.h"
 
-enum { DIM = FMB_EXACT_BOX_DIM };
+#define DIM FMB_EXACT_BOX_DIM
 
 /* ---- entries --------------------------------------------------------------------------------- */
 

@@ -13,7 +13,7 @@
 
 typedef fmb_exact_box_near near;
 
-enum { DIM = FMB_EXACT_BOX_DIM };
+#define DIM FMB_EXACT_BOX_DIM
 
 #define UNIT     0x1p-53
 #define A_LITTLE (1 + 0x1p-40) /* more than sums of bounds lose */

@@ -87,7 +87,7 @@ typedef struct command {
     fmb_smt_command *run;
 } command;
 
-static const command table[] = {
+static const command commands[] = {
     {"assert", run_assert_command},
     {"declare-fun", fmb_smt_declare_fun},
     {"declare-const", fmb_smt_declare_const},
@@ -127,9 +127,9 @@ fmb_status fmb_smt_run_command(fmb_smt *r, const char *open)
 {
     fmb_smt_token t;
     FMB_TRY(fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "a command", &t));
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-        if (fmb_span_is(t.text, table[i].name))
-            return table[i].run(r, open);
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+        if (fmb_span_is(t.text, commands[i].name))
+            return commands[i].run(r, open);
     for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
         if (fmb_span_is(t.text, ignored[i]))
             return fmb_smt_leave(r->c, open);

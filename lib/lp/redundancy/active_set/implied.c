@@ -286,7 +286,7 @@ static fmb_status scale_rows(sorting *s)
 }
 
 /* Differences of products have to fit: see rounded_proof.c. */
-#define MOST_COLUMNS 200
+#define MOST_SORTED_COLUMNS 200
 
 /* Whether there is a solution, rays, and searches that are ready; NULL: all is said. */
 static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *row,
@@ -297,7 +297,7 @@ static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *
     s->run = run;
     s->out = out;
     fmb_status st = open_nonzero_columns(&s->reduced, run->mem, (size_t)n, m, row);
-    bool narrow = st == FMB_OK && s->reduced.n <= MOST_COLUMNS;
+    bool narrow = st == FMB_OK && s->reduced.n <= MOST_SORTED_COLUMNS;
     out->doubtful = narrow ? 0 : m;
     if (narrow)
         st = scale_rows(s);
