@@ -239,6 +239,20 @@ static inline uint64_t fmb_words_subtract_product(fmb_word *w, mpz_srcptr x, uin
 {
     return mpn_submul_1(w, mpz_limbs_read(x), (mp_size_t)mpz_size(x), f);
 }
+/* to = a b, n + m words. */
+static inline void fmb_words_multiply(fmb_word *to, const fmb_word *a, size_t n, const fmb_word *b,
+                                      size_t m)
+{
+    if (n >= m)
+        mpn_mul(to, a, (mp_size_t)n, b, (mp_size_t)m);
+    else
+        mpn_mul(to, b, (mp_size_t)m, a, (mp_size_t)n);
+}
+/* w += x, n words; what goes over into the next one. */
+static inline uint64_t fmb_words_add_words(fmb_word *w, const fmb_word *x, size_t n)
+{
+    return mpn_add_n(w, w, x, (mp_size_t)n);
+}
 /* The same where x is one word. */
 static inline uint64_t fmb_word_add_product(fmb_word *w, fmb_word x, uint64_t f)
 {
@@ -301,6 +315,34 @@ static inline uint64_t fmb_words_subtract_product(fmb_word *w, mpz_srcptr x, uin
         w[k] -= fmb_u128_low(less);
     }
     return borrow;
+}
+/* to = a b, n + m words. */
+static inline void fmb_words_multiply(fmb_word *to, const fmb_word *a, size_t n, const fmb_word *b,
+                                      size_t m)
+{
+    for (size_t j = 0; j < m; j++)
+        to[j] = 0;
+    for (size_t i = 0; i < n; i++) {
+        uint64_t carry = 0;
+        for (size_t j = 0; j < m; j++) {
+            fmb_u128 sum = fmb_u128_plus_product(fmb_u128_of(to[i + j]), a[i], b[j]);
+            sum = fmb_u128_plus_word(sum, carry);
+            to[i + j] = fmb_u128_low(sum);
+            carry = fmb_u128_high(sum);
+        }
+        to[i + m] = carry;
+    }
+}
+/* w += x, n words; what goes over into the next one. */
+static inline uint64_t fmb_words_add_words(fmb_word *w, const fmb_word *x, size_t n)
+{
+    uint64_t carry = 0;
+    for (size_t k = 0; k < n; k++) {
+        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_plus_word(fmb_u128_of(w[k]), x[k]), carry);
+        w[k] = fmb_u128_low(sum);
+        carry = fmb_u128_high(sum);
+    }
+    return carry;
 }
 /* The same where x is one word. */
 static inline uint64_t fmb_word_add_product(fmb_word *w, fmb_word x, uint64_t f)

@@ -61,19 +61,6 @@ void fmb_wide_gather(fmb_wide *a, const fmb_wide *b, bool subtract)
     }
 }
 
-/* out += x b, from word `at` on, where out has b->n words and then one that is not set. */
-static void add_row(fmb_wide *out, int at, uint64_t x, const fmb_wide *b)
-{
-    uint64_t carry = 0;
-    for (int j = 0; j < b->n; j++) {
-        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b->word[j]), out->word[at + j]);
-        sum = fmb_u128_plus_word(sum, carry);
-        out->word[at + j] = fmb_u128_low(sum);
-        carry = fmb_u128_high(sum);
-    }
-    out->word[at + b->n] = carry;
-}
-
 void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b)
 {
     out->n = 0;
@@ -81,13 +68,7 @@ void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b)
     if (a->n == 0 || b->n == 0)
         return;
     assert(a->n + b->n <= FMB_WIDE_WORDS);
-    for (int j = 0; j < b->n; j++)
-        out->word[j] = 0;
-    for (int i = 0; i < a->n; i++)
-        if (a->word[i] != 0)
-            add_row(out, i, a->word[i], b);
-        else
-            out->word[i + b->n] = 0;
+    fmb_words_multiply(out->word, a->word, (size_t)a->n, b->word, (size_t)b->n);
     out->n = a->n + b->n;
     out->minus = a->minus != b->minus;
     fmb_wide_trim(out);
@@ -119,28 +100,42 @@ static int first_word(const fmb_wide *a)
     return i;
 }
 
-/* to += a b in magnitude, neither of them 0; there is room for carries. */
-static void add_product_of_words(uint64_t *to, const fmb_wide *a, const fmb_wide *b)
+/* to += x b, n words; what goes over into the next one. */
+static uint64_t add_row_of_words(fmb_word *to, uint64_t x, const fmb_word *b, int n)
 {
-    const int first = first_word(b);
-    for (int i = first_word(a); i < a->n; i++) {
-        uint64_t x = a->word[i], carry = 0;
-        int k = i + first;
-        for (int j = first; j < b->n; j++, k++) {
-            fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b->word[j]), to[k]);
-            sum = fmb_u128_plus_word(sum, carry);
-            to[k] = fmb_u128_low(sum);
-            carry = fmb_u128_high(sum);
-        }
-        for (; carry != 0; k++) {
-            to[k] += carry;
-            carry = to[k] < carry;
-        }
+    uint64_t carry = 0;
+    for (int j = 0; j < n; j++) {
+        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b[j]), to[j]);
+        sum = fmb_u128_plus_word(sum, carry);
+        to[j] = fmb_u128_low(sum);
+        carry = fmb_u128_high(sum);
+    }
+    return carry;
+}
+
+/* to += a b in magnitude, neither of them 0; there is room for carries. */
+static void add_product_of_words(fmb_word *to, const fmb_wide *a, const fmb_wide *b)
+{
+    fmb_word product[FMB_WIDE_WORDS];
+    int i = first_word(a), j = first_word(b), n = a->n - i, m = b->n - j, k = n + m;
+    const fmb_word *x = a->word + i, *y = b->word + j;
+    uint64_t carry;
+    to += i + j;
+    if (n == 1 || m == 1) {
+        carry = n == 1 ? add_row_of_words(to, *x, y, m) : add_row_of_words(to, *y, x, n);
+        k--;
+    } else {
+        fmb_words_multiply(product, x, (size_t)n, y, (size_t)m);
+        carry = fmb_words_add_words(to, product, (size_t)k);
+    }
+    for (; carry != 0; k++) {
+        to[k] += carry;
+        carry = to[k] < carry;
     }
 }
 
 /* out = large - small, of n words. */
-static void subtract_words(fmb_wide *out, const uint64_t *large, const uint64_t *small, int n)
+static void subtract_words(fmb_wide *out, const fmb_word *large, const fmb_word *small, int n)
 {
     uint64_t borrow = 0;
     for (int i = 0; i < n; i++) {
@@ -177,7 +172,7 @@ static bool dot_of_short_factors(fmb_wide *out, int n, const fmb_wide *const *a,
 void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide *const *b,
                   unsigned minus)
 {
-    uint64_t part[2][FMB_WIDE_WORDS + 1];
+    fmb_word part[2][FMB_WIDE_WORDS + 1];
     int words = 0, top;
     assert(n <= 16);
     if (dot_of_short_factors(out, n, a, b, minus))

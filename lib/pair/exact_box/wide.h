@@ -14,7 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "num/vec.h"
+#include "num/word.h"
 
 #ifdef FMB_WIDE_LONG
 #define fmb_exact_boxer_new         fmb_long_boxer_new
@@ -60,7 +60,7 @@ enum { FMB_WIDE_BITS = 64 * (FMB_WIDE_WORDS - 1) };
 typedef struct fmb_wide {
     int n;
     bool minus;
-    uint64_t word[FMB_WIDE_WORDS];
+    fmb_word word[FMB_WIDE_WORDS];
 } fmb_wide;
 
 static inline int fmb_wide_sign(const fmb_wide *a)

@@ -309,3 +309,28 @@ Test(word, in_a_row)
     }
     mpz_clears(a, x, t, f, NULL);
 }
+
+Test(word, sums_and_products_of_rows)
+{
+    support_rng g = {5};
+    mpz_t x, y;
+    mpz_inits(x, y, NULL);
+    for (int i = 0; i < ROUNDS; i++) {
+        const size_t n = 1 + (size_t)i % WORDS, m = 1 + (size_t)i / WORDS % WORDS;
+        fmb_word a[WORDS], b[WORDS], product[2 * WORDS], w[WORDS + 1];
+        for (int k = 0; k < WORDS; k++) {
+            a[k] = draw_word(&g);
+            b[k] = w[k] = draw_word(&g);
+        }
+        mpz_import(x, n, -1, sizeof *a, 0, 0, a);
+        mpz_import(y, n, -1, sizeof *b, 0, 0, b);
+        mpz_add(y, y, x);
+        w[n] = fmb_words_add_words(w, a, n);
+        cr_assert(have_words(w, n + 1, y));
+        mpz_import(y, m, -1, sizeof *b, 0, 0, b);
+        mpz_mul(x, x, y);
+        fmb_words_multiply(product, a, n, b, m);
+        cr_assert(have_words(product, n + m, x));
+    }
+    mpz_clears(x, y, NULL);
+}
