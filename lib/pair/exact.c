@@ -162,10 +162,23 @@ bool fmb_pair_oracle_answer_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, 
 {
     fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
     const fmb_poll poll = fmb_run_asked(&x->run);
-    bool done = fmb_long_box_answer(p, q, out, &x->mem, &poll);
+    fmb_exact_boxer *b = fmb_long_boxer_new(&x->mem, &poll);
+    bool done = fmb_long_box_answer(b, p, q, out);
+    fmb_long_boxer_free(b, &x->mem);
     if (!done && x->run.stop != FMB_STOP_DONE)
         *out->verdict = FMB_UNKNOWN;
     return done || x->run.stop != FMB_STOP_DONE;
+}
+
+bool fmb_pair_oracle_decide_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
+                                        fmb_verdict *out)
+{
+    fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
+    const fmb_poll poll = fmb_run_asked(&x->run);
+    fmb_exact_boxer *b = fmb_long_boxer_new(&x->mem, &poll);
+    *out = fmb_long_box_decide(b, p, q, x->contact);
+    fmb_long_boxer_free(b, &x->mem);
+    return *out != FMB_UNKNOWN || x->run.stop != FMB_STOP_DONE;
 }
 
 /* ---- how near -------------------------------------------------------------------------------- */

@@ -32,7 +32,9 @@ fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const 
                                   const fmb_pair_answers *out);
 
 /* The same by vertices, whatever the length of numbers. False: that was not proved, and nothing is
- * written. */
+ * written but, of a verdict, UNKNOWN. */
+bool fmb_pair_oracle_decide_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
+                                        fmb_verdict *out);
 bool fmb_pair_oracle_answer_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                         const fmb_pair_answers *out);
 

@@ -68,7 +68,7 @@ static fmb_status answer_exactly(const query *a, size_t i)
 static fmb_exact_boxer *need_boxer(fmb_pair *k)
 {
     if (!k->boxer)
-        k->boxer = fmb_exact_boxer_new(&k->mem);
+        k->boxer = fmb_exact_boxer_new(&k->mem, NULL);
     return k->boxer;
 }
 
@@ -99,7 +99,11 @@ static fmb_status decide_exactly(const query *a, size_t i)
     if (!asks_exactly(a))
         return FMB_OK;
     a->k->counts.exact_verdicts++;
-    FMB_TRY(fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out));
+    bool done = a->k->options.method != FMB_PAIR_EXACT && fmb_way(FMB_WAY_PAIR_VERTICES) &&
+                fmb_pair_oracle_decide_at_vertices(&a->k->oracle, &a->p[i], &a->q[i], out);
+    fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
+    if (!done)
+        FMB_TRY(fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out));
     return *out == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : FMB_OK;
 }
 

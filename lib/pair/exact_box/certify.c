@@ -28,7 +28,7 @@
 /* Is w h certainly greater than any w M z? */
 static bool is_beyond_all(const fmb_exact_box_program *s, const double *w)
 {
-    double most[2] = {0, 0}, left = 0, size = 0;
+    double most[2] = {0, 0}, left = 0, size = 0, far = 1;
     for (int row = 0; row < s->dim; row++) {
         left += w[row] * s->h.near[row];
         size += fabs(w[row]);
@@ -36,15 +36,18 @@ static bool is_beyond_all(const fmb_exact_box_program *s, const double *w)
     for (int j = 0; j < s->columns; j++) {
         double part = 0;
         int group = s->group[j];
+        const double end = s->near_end[fmb_exact_box_end_of(s, j)];
+        far = end > far ? end : far;
         for (int row = 0; row < s->dim; row++)
             part += w[row] * s->m[j].near[row];
+        part *= end;
         if (part > 0 && group > FMB_EXACT_BOX_OF_B)
             left -= part;
         else if (group <= FMB_EXACT_BOX_OF_B && part > most[group])
             most[group] = part;
     }
     left -= most[0] + most[1];
-    return left > (s->dim + s->columns + 8) * (s->columns + 1) * UNIT * size + SMALL;
+    return left > far * ((s->dim + s->columns + 10) * (s->columns + 1) * UNIT * size + SMALL);
 }
 
 bool fmb_exact_box_are_apart(const fmb_exact_box *v, const double *weight)

@@ -196,18 +196,19 @@ static double coordinate_of_point(fmb_exact_boxer *b, const fmb_frame *p, int k,
     return x;
 }
 
-/* Next to the largest double shares are added up instead. */
+/* Next to the largest double shares are added up instead. Point after point, as it has numbers that
+ * all of its coordinates share. */
 static void write_mean_of_extreme_points(fmb_exact_boxer *b, const fmb_frame *p, double *x)
 {
-    for (int i = 0; i < p->dim; i++) {
-        double sum = 0, shares = 0;
-        for (int k = 0; k < b->points; k++) {
+    double sum[FMB_EXACT_BOX_DIM] = {0}, shares[FMB_EXACT_BOX_DIM] = {0};
+    for (int k = 0; k < b->points; k++)
+        for (int i = 0; i < p->dim; i++) {
             double at = coordinate_of_point(b, p, k, i);
-            sum += at;
-            shares += at / b->points;
+            sum[i] += at;
+            shares[i] += at / b->points;
         }
-        x[i] = isfinite(sum) ? sum / b->points : shares;
-    }
+    for (int i = 0; i < p->dim; i++)
+        x[i] = isfinite(sum[i]) ? sum[i] / b->points : shares[i];
 }
 
 static void copy_ends(double *to, const double *from, int n)
@@ -318,11 +319,11 @@ static fmb_verdict answer_q(fmb_exact_boxer *b, const fmb_frame_q *p, const fmb_
 
 /* ---- all of it ------------------------------------------------------------------------------- */
 
-fmb_exact_boxer *fmb_exact_boxer_new(fmb_mem *mem)
+fmb_exact_boxer *fmb_exact_boxer_new(fmb_mem *mem, const fmb_poll *poll)
 {
     fmb_exact_boxer *b = fmb_mem_get(mem, 1, sizeof *b);
     if (b)
-        b->whole.poll = NULL;
+        b->whole.poll = poll;
     return b;
 }
 
@@ -331,34 +332,19 @@ void fmb_exact_boxer_free(fmb_exact_boxer *b, fmb_mem *mem)
     fmb_mem_put(mem, b, 1, sizeof *b);
 }
 
-fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
-                                   const fmb_pair_answers_q *out, fmb_mem *mem)
-{
-    fmb_exact_boxer *b = fmb_exact_boxer_new(mem);
-    fmb_verdict verdict = b ? answer_q(b, p, q, out) : FMB_UNKNOWN;
-    fmb_exact_boxer_free(b, mem);
-    return verdict;
-}
-
-#ifdef FMB_WIDE_LONG
-
-bool fmb_long_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
-                         fmb_mem *mem, const fmb_poll *poll)
-{
-    fmb_exact_boxer *b = fmb_exact_boxer_new(mem);
-    if (b)
-        b->whole.poll = poll;
-    bool done = b && answer(b, p, q, out);
-    fmb_exact_boxer_free(b, mem);
-    return done;
-}
-
-#else
-
 bool fmb_exact_box_answer(fmb_exact_boxer *b, const fmb_frame *p, const fmb_frame *q,
                           const fmb_pair_answers *out)
 {
     return b && answer(b, p, q, out);
+}
+
+fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                   const fmb_pair_answers_q *out, fmb_mem *mem)
+{
+    fmb_exact_boxer *b = fmb_exact_boxer_new(mem, NULL);
+    fmb_verdict verdict = b ? answer_q(b, p, q, out) : FMB_UNKNOWN;
+    fmb_exact_boxer_free(b, mem);
+    return verdict;
 }
 
 /* ---- verdicts -------------------------------------------------------------------------------- */
@@ -399,6 +385,7 @@ fmb_verdict fmb_exact_box_decide(fmb_exact_boxer *b, const fmb_frame *p, const f
     return verdict == FMB_FEASIBLE && contact == FMB_CONTACT_OPEN ? find_inner_point(b) : verdict;
 }
 
+#ifndef FMB_WIDE_LONG
 bool fmb_exact_box_meet(fmb_exact_boxer *b, const fmb_frame *p, const fmb_frame *q)
 {
     if (!b || !fmb_exact_box_load(&b->program, p, q))
@@ -407,5 +394,4 @@ bool fmb_exact_box_meet(fmb_exact_boxer *b, const fmb_frame *p, const fmb_frame 
     return fmb_exact_box_walk_start(&b->walk, &b->program) &&
            take_state_of_basis(b, &b->walk.basis);
 }
-
 #endif

@@ -1,6 +1,7 @@
 /* exact_box_load.c: frames as integers; see exact_box_program.h. */
 #include "pair/exact_box/exact_box_program.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "frame/frame_private.h"
@@ -176,11 +177,18 @@ static void read_words(mpz_srcptr n, mpz_srcptr d, mpq_srcptr unit, fmb_wide *ou
     out->minus = mpz_sgn(n) < 0;
 }
 
+static void write_wide(mpz_srcptr z, fmb_wide *out)
+{
+    size_t words = 0;
+    mpz_export(out->word, &words, -1, sizeof *out->word, 0, 0, z);
+    out->n = (int)words;
+    out->minus = mpz_sgn(z) < 0;
+}
+
 static void read_rational(const void *self, int frame, int axis, int row, fmb_wide *out)
 {
     const rational_pair *d = self;
     mpq_srcptr x = rational_of_frame(d->frame[frame], axis, row), unit = d->unit[row];
-    size_t words = 0;
     out->n = 0;
     out->minus = false;
     if (!x || mpq_sgn(x) == 0)
@@ -193,9 +201,7 @@ static void read_rational(const void *self, int frame, int axis, int row, fmb_wi
     mpz_mul(*d->whole, *d->whole, mpq_numref(x));
     if (mpz_cmp_ui(mpq_numref(unit), 1) != 0)
         mpz_divexact(*d->whole, *d->whole, mpq_numref(unit));
-    mpz_export(out->word, &words, -1, sizeof *out->word, 0, 0, *d->whole);
-    out->n = (int)words;
-    out->minus = mpz_sgn(*d->whole) < 0;
+    write_wide(*d->whole, out);
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
@@ -267,41 +273,128 @@ static void load_unit_vectors(fmb_exact_box_program *s)
         }
 }
 
+/* ---- scaled doubles -------------------------------------------------------------------------- */
+
 /* The bits of the longest number in each row. */
-static void measure_vector(const fmb_exact_box_program *s, const fmb_exact_box_vector *x, int *most)
+static void measure_vector(fmb_exact_box_program *s, const fmb_exact_box_vector *x)
 {
     for (int row = 0; row < s->dim; row++) {
         int length = fmb_wide_length(&x->whole[row]);
-        most[row] = length > most[row] ? length : most[row];
+        s->scale[row] = length > s->scale[row] ? length : s->scale[row];
     }
 }
 
-static void round_vector(const fmb_exact_box_program *s, fmb_exact_box_vector *x)
+/* How many bits all numbers of a vector are below those of their rows at least, and not more than
+ * `most`. */
+static int bits_below_rows(const fmb_exact_box_program *s, const fmb_exact_box_vector *x, int most)
 {
-    for (int row = 0; row < s->dim; row++)
-        x->near[row] = fmb_wide_to_doubles(&x->whole[row], s->scale[row], &x->rest[row]);
+    for (int row = 0; row < s->dim; row++) {
+        int length = fmb_wide_length(&x->whole[row]);
+        if (length > 0 && s->scale[row] - length < most)
+            most = s->scale[row] - length;
+    }
+    return most;
 }
 
-static void find_doubles(fmb_exact_box_program *s)
+static void round_vector(const fmb_exact_box_program *s, fmb_exact_box_vector *x, int up)
 {
     for (int row = 0; row < s->dim; row++)
+        x->near[row] = fmb_wide_to_doubles(&x->whole[row], s->scale[row] - up, &x->rest[row]);
+}
+
+/* What the numbers of A, of B and of time, and those of h are multiplied by in doubles: 2 to these
+ * powers. */
+typedef struct scaling {
+    int up[3], of_h;
+} scaling;
+
+/* If what is much smaller than the rest of its rows is one frame alone, which doubles would take
+ * for a point, the unknowns of each frame get a unit of their own. */
+static bool find_scaling(fmb_exact_box_program *s, scaling *by)
+{
+    const int none = INT32_MAX / 2, point = 40;
+    for (int row = 0; row < s->dim; row++)
         s->scale[row] = 0;
-    measure_vector(s, &s->h, s->scale);
+    measure_vector(s, &s->h);
     for (int j = 0; j < s->columns; j++)
-        measure_vector(s, &s->m[j], s->scale);
-    round_vector(s, &s->h);
+        measure_vector(s, &s->m[j]);
+    *by = (scaling){{none, none, none}, none};
+    for (int j = 0; j < s->columns; j++) {
+        int *up = &by->up[fmb_exact_box_end_of(s, j)];
+        *up = bits_below_rows(s, &s->m[j], *up);
+    }
+    bool one = FMB_WIDE_IS_LONG && by->up[0] < none && by->up[1] < none &&
+               abs(by->up[0] - by->up[1]) > point;
+    int most = by->up[0] > by->up[1] ? by->up[0] : by->up[1];
+    by->of_h = bits_below_rows(s, &s->h, most);
+    by->up[2] = by->up[2] < none ? by->up[2] : 0;
+    if (!one)
+        *by = (scaling){{0, 0, 0}, 0};
+    return one;
+}
+
+/* What is divided by an end is multiplied by its highest bit. */
+static void find_doubles(fmb_exact_box_program *s, scaling *by)
+{
+    double rest;
+    for (int k = 0; k < 3; k++) {
+        int bits = fmb_wide_length(&s->end[k]) - 1;
+        s->near_end[k] = fmb_wide_to_doubles(&s->end[k], bits + by->up[k] - by->of_h, &rest);
+        by->up[k] += bits;
+    }
+    round_vector(s, &s->h, by->of_h);
     for (int j = 0; j < s->columns; j++)
-        round_vector(s, &s->m[j]);
+        round_vector(s, &s->m[j], by->up[fmb_exact_box_end_of(s, j)]);
     for (int k = 0; k < 2; k++) {
-        round_vector(s, &s->origin[k]);
+        round_vector(s, &s->origin[k], by->of_h);
         if (s->time >= 0)
-            round_vector(s, &s->speed[k]);
+            round_vector(s, &s->speed[k], by->up[2]);
+    }
+}
+
+/* ---- ends of places -------------------------------------------------------------------------- */
+
+static void read_wide(const fmb_wide *a, mpz_t out)
+{
+    mpz_import(out, (size_t)a->n, -1, sizeof *a->word, 0, 0, a->word);
+}
+
+/* What the columns of frame k have in common, if it is longer than a word; else 1. */
+static void find_end_of_frame(fmb_exact_box_program *s, int k, int first, int last)
+{
+    mpz_t common, x;
+    mpz_inits(common, x, NULL);
+    for (int j = first; j < last; j++)
+        for (int row = 0; row < s->dim && mpz_cmp_ui(common, 1) != 0; row++) {
+            read_wide(&s->m[j].whole[row], x);
+            mpz_gcd(common, common, x);
+        }
+    if (!is_word(common))
+        write_wide(common, &s->end[k]);
+    mpz_clears(common, x, NULL);
+}
+
+static void divide_frame(fmb_exact_box_program *s, int k, int first, int last)
+{
+    for (int j = first; j < last; j++)
+        for (int row = 0; row < s->dim; row++)
+            fmb_wide_divide_exactly(&s->m[j].whole[row], &s->end[k]);
+}
+
+static void find_ends_of_places(fmb_exact_box_program *s)
+{
+    int last = s->time < 0 ? s->columns : s->time;
+    for (int k = 0; s->has_ends && k < 2; k++) {
+        int first = k == 0 ? 0 : s->first_of_b, end = k == 0 ? s->first_of_b : last;
+        find_end_of_frame(s, k, first, end);
+        divide_frame(s, k, first, end);
     }
 }
 
 static void load_both(fmb_exact_box_program *s, const body *p, const body *q,
                       fmb_exact_box_reader *read, const void *self)
 {
+    scaling by;
     s->dim = p->dim;
     s->columns = 0;
     s->first_of_b = p->naxes;
@@ -317,7 +410,11 @@ static void load_both(fmb_exact_box_program *s, const body *p, const body *q,
     if (s->time >= 0)
         load_speeds(s, read, self);
     load_unit_vectors(s);
-    find_doubles(s);
+    s->has_ends = find_scaling(s, &by);
+    for (int k = 0; k < 3; k++)
+        fmb_wide_set_word(&s->end[k], 1);
+    find_ends_of_places(s);
+    find_doubles(s, &by);
 }
 
 static bool is_for_vertices(int dim, int naxes_p, int naxes_q)

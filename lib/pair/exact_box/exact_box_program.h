@@ -12,6 +12,10 @@
  * coordinates, are alike. And for each row there is an artificial unknown, whose column is a unit
  * vector and whose place is 0: so there is a basis of unit vectors, and M may have any rank.
  *
+ * Where one frame is so much smaller than the other that doubles would take it for a point, each
+ * has unknowns in units of their own: what all numbers in the columns of a frame have in common,
+ * which is long, is taken out of them, and its places end there, and not at 1.
+ *
  * In a basic solution each unknown that is not basic is at an end of its place. Basic are as many
  * as there are rows, and one more for each simplex.
  */
@@ -54,6 +58,11 @@ typedef struct fmb_exact_box_program {
     fmb_exact_box_vector m[FMB_EXACT_BOX_UNKNOWNS]; /* columns: of slacks they are 0 */
     fmb_exact_box_vector h;
     fmb_exact_box_vector origin[2], speed[2]; /* of A; of B, negative; speeds, if anything moves */
+    /* Where places of unknowns of A, of B, of time end; and where they do in doubles, of which each
+     * group, and h, may be scaled by powers of two of their own, too; INFINITY: beyond. */
+    fmb_wide end[3];
+    double near_end[3];
+    bool has_ends; /* false: all are 1, and there are no such powers */
     /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. It
      * is 2^scale[i] times the scaled one. */
     int exponent[FMB_EXACT_BOX_DIM], scale[FMB_EXACT_BOX_DIM];
@@ -65,6 +74,26 @@ bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_
 /* The same of rationals; unit[0 .. dim) are initialised. */
 bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
                           mpq_t *unit);
+
+/* Whose end of places is that of unknown j? */
+static inline int fmb_exact_box_end_of(const fmb_exact_box_program *s, int j)
+{
+    if (j >= s->slack)
+        return j < s->artificial ? j - s->slack : 2;
+    return j == s->time ? 2 : j >= s->first_of_b;
+}
+
+/* a += b times where the place of unknown j ends, or a -= that. */
+static inline void fmb_exact_box_gather_end(const fmb_exact_box_program *s, int j, fmb_wide *a,
+                                            const fmb_wide *b, bool subtract)
+{
+    fmb_wide product;
+    if (s->has_ends) {
+        fmb_wide_multiply(&product, b, &s->end[fmb_exact_box_end_of(s, j)]);
+        b = &product;
+    }
+    fmb_wide_gather(a, b, subtract);
+}
 
 /* ---- basic solutions ------------------------------------------------------------------------- */
 

@@ -74,7 +74,7 @@ void fmb_exact_box_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, fmb_w
     fmb_wide_copy(&constant, constant_of_goal(v, goal).whole);
     for (int j = 0; j < s->columns; j++)
         if (fmb_exact_box_is_one(v, j))
-            fmb_wide_add(&constant, cost[j].whole);
+            fmb_exact_box_gather_end(s, j, &constant, cost[j].whole, false);
     for (int k = 0; k < s->dim; k++) {
         a[n] = fmb_exact_box_relative_cost(v, cost, v->basic[k], &room[k]);
         if (a[n]->n > 0)
@@ -84,6 +84,11 @@ void fmb_exact_box_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, fmb_w
     a[n] = &constant;
     b[n] = denominator;
     fmb_wide_dot(numerator, n + 1, a, b, 0);
+    if (s->has_ends && !goal->is_world) {
+        fmb_wide_copy(&constant, denominator);
+        denominator->n = 0;
+        fmb_exact_box_gather_end(s, goal->number, denominator, &constant, false);
+    }
     if (goal->is_world && v->side == 1)
         fmb_wide_negate(numerator);
 }
@@ -167,7 +172,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
     fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS], c = constant_of_goal(v, goal);
     double size = fabs(c.near) + SMALL, off = 0;
     bool varies = false;
-    if (!v->is_near)
+    if (!v->is_near || s->has_ends)
         return false;
     fmb_exact_box_list_costs(v, goal, cost);
     *value = (lane2){c.near, c.rest};

@@ -31,13 +31,17 @@ static int place_group(const exact_walk *w, int unknown)
 }
 
 /* -1: below its place, 1: above it. */
-static int side_of_place(const exact_walk *w, const fmb_wide *value, int group)
+static int side_of_place(const exact_walk *w, const fmb_wide *value, int unknown)
 {
+    int group = place_group(w, unknown);
+    fmb_wide beyond;
     if (value->minus)
         return -1;
-    if (group == FMB_EXACT_BOX_ZERO)
-        return value->n > 0;
-    return group == FMB_EXACT_BOX_UNIT && fmb_wide_compare(value, &w->whole->det) > 0;
+    if (group != FMB_EXACT_BOX_UNIT)
+        return group == FMB_EXACT_BOX_ZERO && value->n > 0;
+    fmb_wide_copy(&beyond, value);
+    fmb_exact_box_gather_end(w->v->program, unknown, &beyond, &w->whole->det, true);
+    return fmb_wide_sign(&beyond) > 0;
 }
 
 static void list_items(exact_walk *w)
@@ -61,7 +65,7 @@ static void look_at_places(exact_walk *w)
 {
     w->any_out = false;
     for (int i = 0; i < w->items; i++) {
-        w->out[i] = side_of_place(w, &w->whole->value[i], place_group(w, w->unknown[i]));
+        w->out[i] = side_of_place(w, &w->whole->value[i], w->unknown[i]);
         w->any_out |= w->out[i] != 0;
     }
 }
@@ -149,7 +153,7 @@ static bool room_of_item(const exact_walk *w, int i, bool up, fmb_wide *room, bo
         return false;
     fmb_wide_copy(room, &w->whole->value[i]);
     if (*high)
-        fmb_wide_subtract(room, &w->whole->det);
+        fmb_exact_box_gather_end(w->v->program, w->unknown[i], room, &w->whole->det, true);
     room->minus = false;
     return true;
 }
@@ -171,8 +175,9 @@ static bool find_way(const exact_walk *w, int j, exact_way *way)
     bool any = place_group(w, j) == FMB_EXACT_BOX_UNIT;
     exact_way next;
     way->item = -1;
-    fmb_wide_set_word(&way->room, 1);
     fmb_wide_set_word(&way->speed, 1);
+    way->room.n = 0;
+    fmb_exact_box_gather_end(w->v->program, j, &way->room, &way->speed, false);
     for (next.item = 0; next.item < w->items; next.item++) {
         const fmb_wide *fall = &w->whole->fall[next.item];
         if (fall->n == 0 || !room_of_item(w, next.item, fall->minus, &next.room, &next.high))
@@ -258,7 +263,7 @@ static void go(exact_walk *w, int j, const exact_way *way)
         put_column_of(w, k, high, &way->speed);
     fmb_wide_copy(&whole->value[k], &way->room);
     if (high) {
-        fmb_wide_subtract(&whole->value[k], &way->speed);
+        fmb_exact_box_gather_end(v->program, j, &whole->value[k], &way->speed, true);
         fmb_wide_negate(&whole->value[k]);
     }
     fmb_wide_copy(&whole->det, &way->speed);
@@ -275,7 +280,7 @@ static void turn_end(exact_walk *w, int j)
     unsigned char *place = &w->v->basis.place[j];
     *place = *place == FMB_EXACT_BOX_LOW ? FMB_EXACT_BOX_HIGH : FMB_EXACT_BOX_LOW;
     for (int i = 0; i < w->items; i++)
-        fmb_wide_subtract(&w->whole->value[i], &w->whole->fall[i]);
+        fmb_exact_box_gather_end(w->v->program, j, &w->whole->value[i], &w->whole->fall[i], true);
 }
 
 static fmb_verdict walk_on(exact_walk *w, const fmb_exact_box_goal *goal)

@@ -124,21 +124,22 @@ static bool find_defects(fmb_exact_box *v, const double (*p)[DIM])
     return good;
 }
 
-/* Returns how many numbers of M and h each is made of. */
-static int find_near_rest(const fmb_exact_box *v, double *rest)
+/* Returns what each is made of, numbers of M and h being 1. */
+static double find_near_rest(const fmb_exact_box *v, double *rest)
 {
     const fmb_exact_box_program *s = v->program;
-    int terms = 1;
+    double size = 1;
     for (int row = 0; row < s->dim; row++)
         rest[row] = s->h.near[row];
     for (int j = 0; j < s->columns; j++) {
         if (!fmb_exact_box_is_one(v, j))
             continue;
-        terms++;
+        const double end = s->near_end[fmb_exact_box_end_of(s, j)];
+        size += end;
         for (int row = 0; row < s->dim; row++)
-            rest[row] -= s->m[j].near[row];
+            rest[row] -= end * s->m[j].near[row];
     }
-    return terms;
+    return size;
 }
 
 void fmb_exact_box_bound_way(const fmb_exact_box *v, const double *rest, double *error)
@@ -169,13 +170,21 @@ static void find_near_values(fmb_exact_box *v, const double (*p)[DIM])
         for (int row = 0; row < n; row++)
             rest[row] -= p[k][row] * v->x[k].x;
     for (int row = 0; row < n; row++)
-        rest[row] = fabs(rest[row]) + (v->program->columns + n + 8) * UNIT * size;
+        rest[row] = fabs(rest[row]) + (v->program->columns + n + 10) * UNIT * size;
     fmb_exact_box_bound_way(v, rest, error);
     for (int k = 0; k < n; k++)
         v->x[k].error = error[k];
 }
 
-/* Does x_k count in what is left of 1: that of number `only`, or all of its group where that is -1?
+/* The unknown whose place is what something is left of: basic one `only`, or where that is -1 the
+ * reference of a group. */
+static int owner_of_place(const fmb_exact_box *v, int group, int only)
+{
+    return only < 0 ? v->reference[group] : v->basic[only];
+}
+
+/* Does x_k count in what is left of its end: that of number `only`, or all of its group where that
+ * is -1?
  */
 static bool counts_in_rest(const fmb_exact_box *v, int k, int group, int only)
 {
@@ -184,15 +193,17 @@ static bool counts_in_rest(const fmb_exact_box *v, int k, int group, int only)
 
 static near near_remainder(const fmb_exact_box *v, int group, int only)
 {
-    near left = {1, 0};
-    double size = 1;
+    const fmb_exact_box_program *s = v->program;
+    int owner = owner_of_place(v, group, only);
+    double size = owner < 0 ? 1 : s->near_end[fmb_exact_box_end_of(s, owner)];
+    near left = {size, 0};
     for (int k = 0; k < v->program->dim; k++)
         if (counts_in_rest(v, k, group, only)) {
             left.x -= v->x[k].x;
             left.error += v->x[k].error;
             size += fabs(v->x[k].x);
         }
-    left.error = left.error * A_LITTLE + (v->program->dim + 1) * UNIT * size;
+    left.error = left.error * A_LITTLE + (s->dim + 2) * UNIT * size;
     return left;
 }
 
@@ -234,7 +245,7 @@ static void list_whole_entries(fmb_exact_box *v, const fmb_wide *(*entry)[DIM + 
         fmb_wide_copy(rest, &s->h.whole[row]);
         for (int j = 0; j < s->columns; j++)
             if (fmb_exact_box_is_one(v, j))
-                fmb_wide_subtract(rest, &s->m[j].whole[row]);
+                fmb_exact_box_gather_end(s, j, rest, &s->m[j].whole[row], true);
         entry[row][s->dim] = rest;
     }
 }
@@ -258,6 +269,13 @@ static void expand_minor(unsigned set, int row, const fmb_wide *const *entry,
     fmb_wide_dot(out, n, a, b, minus);
 }
 
+/* The next larger set that has as many members (Gosper 1972, HAKMEM). */
+static unsigned next_set(unsigned set)
+{
+    const unsigned lowest = set & (0 - set), up = set + lowest;
+    return up | (set ^ up) / lowest >> 2;
+}
+
 /* The minors of all rows, in the order of their sets: without column n, which is det, n - 1, ... */
 static const fmb_wide *find_whole_minors(fmb_exact_box *v)
 {
@@ -270,12 +288,11 @@ static const fmb_wide *find_whole_minors(fmb_exact_box *v)
     fmb_wide_set_word(&w->minor[0][0], 1);
     for (int row = 0; row < n; row++) {
         unsigned char next = 0;
-        for (unsigned set = 1; set < 2U << n; set++)
-            if (__builtin_popcount(set) == row + 1) {
-                slot[set] = next++;
-                expand_minor(set, row, entry[row], w->minor[row % 2], slot,
-                             &w->minor[(row + 1) % 2][slot[set]]);
-            }
+        for (unsigned set = (2U << row) - 1; set < 2U << n; set = next_set(set)) {
+            slot[set] = next++;
+            expand_minor(set, row, entry[row], w->minor[row % 2], slot,
+                         &w->minor[(row + 1) % 2][slot[set]]);
+        }
     }
     return w->minor[n % 2];
 }
@@ -366,7 +383,8 @@ fmb_exact_box_whole *fmb_exact_box_need_adjugate(fmb_exact_box *v)
 void fmb_exact_box_remainder(fmb_exact_box *v, int group, int only, fmb_wide *out)
 {
     const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
-    fmb_wide_copy(out, &w->det);
+    out->n = 0;
+    fmb_exact_box_gather_end(v->program, owner_of_place(v, group, only), out, &w->det, false);
     for (int k = 0; k < v->program->dim; k++)
         if (counts_in_rest(v, k, group, only))
             fmb_wide_subtract(out, &w->x[k]);
@@ -393,7 +411,7 @@ const fmb_exact_box_low *fmb_exact_box_need_low(fmb_exact_box *v)
 /* x_k is near that; is it exactly 0? False: the lowest words do not tell. */
 static bool is_x_zero(fmb_exact_box *v, int k, near x)
 {
-    if (!v->is_near)
+    if (!v->is_near || v->program->has_ends)
         return false;
     const fmb_exact_box_low *low = fmb_exact_box_need_low(v);
     return fmb_exact_box_is_low_zero(low, low->x[k], fabs(x.x) + x.error);
@@ -402,7 +420,7 @@ static bool is_x_zero(fmb_exact_box *v, int k, near x)
 /* The same of what is left of 1. */
 static bool is_remainder_zero(fmb_exact_box *v, int group, int only, near left)
 {
-    if (!v->is_near)
+    if (!v->is_near || v->program->has_ends)
         return false;
     const fmb_exact_box_low *low = fmb_exact_box_need_low(v);
     fmb_u128 bits = low->det;
@@ -516,9 +534,10 @@ static double near_value(near x, bool *good)
 bool fmb_exact_box_near_values(const fmb_exact_box *v, double *z)
 {
     const fmb_exact_box_program *s = v->program;
-    bool good = true;
+    bool good = !s->has_ends;
     for (int j = 0; j < s->artificial; j++)
-        z[j] = v->basis.place[j] == FMB_EXACT_BOX_HIGH;
+        z[j] =
+            v->basis.place[j] == FMB_EXACT_BOX_HIGH ? s->near_end[fmb_exact_box_end_of(s, j)] : 0;
     for (int group = 0; group < 2; group++)
         if (v->reference[group] >= 0)
             z[v->reference[group]] = near_value(v->of_reference[group], &good);

@@ -72,7 +72,8 @@ bool fmb_exact_box_state(fmb_exact_box *v, const fmb_exact_box_program *s,
                          const fmb_exact_box_basis *basis);
 /* Is unknown j of a vertex, which is none of the artificial ones, off that end of its place? */
 bool fmb_exact_box_is_off_end(fmb_exact_box *v, int j, bool high);
-/* Roughly, the values of all columns and slacks. True: they are off by at most 2^-42. */
+/* Roughly, the values of all columns and slacks, as doubles have them. True: they are off by at
+ * most 2^-42, and places end at 1. */
 bool fmb_exact_box_near_values(const fmb_exact_box *v, double *z);
 
 /* ---- for certify.c, exact_walk.c and exact_box_value.c ----------------------------------------
@@ -111,7 +112,8 @@ static inline void fmb_exact_box_reduce(fmb_wide *a, const fmb_wide *pivot, cons
     fmb_wide_divide_exactly(a, det);
 }
 
-/* det less x_only, or less all x of a group where only is -1. */
+/* det times where the place of x_only ends less x_only; where only is -1 that of the reference of a
+ * group less all x of it. */
 void fmb_exact_box_remainder(fmb_exact_box *v, int group, int only, fmb_wide *out);
 
 /* The column of unknown j in integers, relative to that of its reference: each number lies in the

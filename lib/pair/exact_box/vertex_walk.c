@@ -19,6 +19,12 @@ static int group_of(const fmb_exact_box_walk *w, int unknown)
     return w->program->group[unknown];
 }
 
+/* Where the place of an unknown ends. */
+static double end_of(const fmb_exact_box_walk *w, int unknown)
+{
+    return w->program->near_end[fmb_exact_box_end_of(w->program, unknown)];
+}
+
 /* ---- the first basis ------------------------------------------------------------------------- */
 
 static void put_row_of_world(fmb_exact_box_walk *w, int row)
@@ -38,7 +44,7 @@ static void put_row_of_simplex(fmb_exact_box_walk *w, int k)
 {
     int row = w->rows++;
     w->basic[row] = w->program->slack + k;
-    w->value[row] = 1;
+    w->value[row] = w->program->near_end[k];
     for (int j = 0; j < w->columns; j++)
         w->entry[row][j] = group_of(w, j) == k;
 }
@@ -102,7 +108,7 @@ static double find_room(const fmb_exact_box_walk *w, int r, bool up, bool *high)
         return 0;
     if (up && group != FMB_EXACT_BOX_UNIT)
         return INFINITY;
-    value = up ? 1 - value : value;
+    value = up ? end_of(w, w->basic[r]) - value : value;
     return value > 0 ? value : 0;
 }
 
@@ -127,7 +133,7 @@ static void pivot(fmb_exact_box_walk *w, int r, int j)
 static void leave_end(fmb_exact_box_walk *w, int j)
 {
     double sign = w->basis.place[j] == FMB_EXACT_BOX_HIGH ? -1 : 1, largest = 0;
-    double way = group_of(w, j) == FMB_EXACT_BOX_UNIT ? 1 : INFINITY, weight = 0;
+    double way = group_of(w, j) == FMB_EXACT_BOX_UNIT ? end_of(w, j) : INFINITY, weight = 0;
     int leaving = -1;
     bool high = false, end;
     for (int r = 0; r < w->rows; r++)
@@ -155,7 +161,7 @@ static void leave_end(fmb_exact_box_walk *w, int j)
     w->basis.place[w->basic[leaving]] = high ? FMB_EXACT_BOX_HIGH : FMB_EXACT_BOX_LOW;
     w->basis.place[j] = FMB_EXACT_BOX_BASIC;
     w->basic[leaving] = j;
-    w->value[leaving] = sign > 0 ? way : 1 - way;
+    w->value[leaving] = sign > 0 ? way : end_of(w, j) - way;
     pivot(w, leaving, j);
 }
 

@@ -19,6 +19,8 @@
 #ifdef FMB_WIDE_LONG
 #define fmb_exact_boxer_new         fmb_long_boxer_new
 #define fmb_exact_boxer_free        fmb_long_boxer_free
+#define fmb_exact_box_decide        fmb_long_box_decide
+#define fmb_exact_box_answer        fmb_long_box_answer
 #define fmb_exact_box_answer_q      fmb_long_box_answer_q
 #define fmb_exact_box_are_apart     fmb_long_box_are_apart
 #define fmb_exact_box_is_farthest   fmb_long_box_is_farthest
@@ -51,9 +53,9 @@
 #define fmb_wide_dot                fmb_long_number_dot
 #define fmb_wide_divide_exactly     fmb_long_number_divide_exactly
 #define fmb_wide_to_doubles         fmb_long_number_to_doubles
-enum { FMB_WIDE_WORDS = 568 };
+enum { FMB_WIDE_WORDS = 568, FMB_WIDE_IS_LONG = true };
 #else
-enum { FMB_WIDE_WORDS = 20 };
+enum { FMB_WIDE_WORDS = 20, FMB_WIDE_IS_LONG = false };
 #endif
 enum { FMB_WIDE_BITS = 64 * (FMB_WIDE_WORDS - 1) };
 

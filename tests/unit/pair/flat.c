@@ -113,7 +113,7 @@ static truth truth_new(void)
         must(fmb_pair_new(dim, &o, NULL, &t.open[dim]));
     }
     fmb_mem_init(&t.mem, NULL, 0);
-    t.boxer = fmb_exact_boxer_new(&t.mem);
+    t.boxer = fmb_exact_boxer_new(&t.mem, NULL);
     cr_assert(t.boxer);
     return t;
 }

@@ -206,10 +206,10 @@ Test(rationals, long_numbers)
 {
     static const study_pair_family FAMILY[] = {STUDY_PAIR_RAGGED, STUDY_PAIR_DENORMAL,
                                                STUDY_PAIR_SCALED, STUDY_PAIR_SPREAD};
-    for (int kind = 0; kind < 16; kind++) {
+    for (int kind = 0; kind < 24; kind++) {
         const study_pair_plan plan = {.family = FAMILY[kind % 4],
-                                      .dim = 2 + kind / 4 % 2,
-                                      .moves = kind / 8,
+                                      .dim = 2 + kind / 4 % 3,
+                                      .moves = kind / 12,
                                       .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
         expect_all_told(&plan);
     }
