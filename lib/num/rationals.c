@@ -1,6 +1,7 @@
 /* rationals.c: vectors of rationals; see rationals.h. */
 #include "num/rationals.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -33,31 +34,48 @@ void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem)
     fmb_mem_put(mem, x, n, sizeof *x);
 }
 
-static bool has_odd_significand(double d)
+enum { LEAST_EXPONENT = -1074, MOST_EXPONENT = 1024 }; /* 2 to these is a double, is none */
+
+/* |q| = m 2^e, but that the last bit of m, of 57 bits or more, stands for all that follow. */
+static uint64_t first_bits(mpq_srcptr q, long *e)
 {
-    uint64_t bits;
-    memcpy(&bits, &d, sizeof bits);
-    return bits & 1;
+    const long up =
+        56 - ((long)mpz_sizeinbase(mpq_numref(q), 2) - (long)mpz_sizeinbase(mpq_denref(q), 2));
+    mpz_t m, rest;
+    mpz_inits(m, rest, NULL);
+    if (up >= 0) {
+        mpz_mul_2exp(m, mpq_numref(q), (mp_bitcnt_t)up);
+        mpz_tdiv_qr(m, rest, m, mpq_denref(q));
+    } else {
+        mpz_mul_2exp(rest, mpq_denref(q), (mp_bitcnt_t)-up);
+        mpz_tdiv_qr(m, rest, mpq_numref(q), rest);
+    }
+    uint64_t bits = fmb_integer_low(m) << 1 | (mpz_sgn(rest) != 0);
+    mpz_clears(m, rest, NULL);
+    *e = -up - 1;
+    return bits;
 }
 
-/* The double nearest to q: mpq_get_d cuts towards zero, so the answer is that or the next one
- * outward, whichever lies on q's side of the middle. */
+/* The double nearest to q, the even one of two, and of what is beyond them the largest, or what
+ * mpq_get_d has for it. */
 double fmb_nearest_double(mpq_srcptr q)
 {
-    if (!q)
+    long e;
+    if (!q || mpq_sgn(q) == 0)
         return 0;
-    double in = mpq_get_d(q), out = nextafter(in, mpq_sgn(q) < 0 ? -INFINITY : INFINITY);
-    if (mpq_sgn(q) == 0 || isinf(out))
-        return in;
-    mpq_t middle, other;
-    mpq_inits(middle, other, NULL);
-    mpq_set_d(middle, in);
-    mpq_set_d(other, out);
-    mpq_add(middle, middle, other);
-    mpq_div_2exp(middle, middle, 1);
-    int beyond = mpq_cmp(q, middle) * mpq_sgn(q);
-    mpq_clears(middle, other, NULL);
-    return beyond > 0 || (beyond == 0 && has_odd_significand(in)) ? out : in;
+    const uint64_t m = first_bits(q, &e);
+    const int length = 64 - __builtin_clzll(m);
+    const long room = length + e - LEAST_EXPONENT; /* bits of doubles of that size */
+    if (length + e > MOST_EXPONENT)
+        return mpq_get_d(q);
+    if (room < 0)
+        return 0;
+    const int drop = length - (room < DBL_MANT_DIG ? (int)room : DBL_MANT_DIG);
+    const uint64_t half = UINT64_C(1) << (drop - 1), rest = m & (2 * half - 1);
+    uint64_t kept = m >> drop;
+    kept += rest > half || (rest == half && kept % 2 == 1);
+    double x = fmin(ldexp((double)kept, (int)e + drop), DBL_MAX);
+    return mpq_sgn(q) < 0 ? -x : x;
 }
 
 /* A division is rounded once, so its quotient is the nearest double if both sides are doubles; and

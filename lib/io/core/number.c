@@ -241,9 +241,10 @@ void fmb_print_q(FILE *out, mpq_srcptr q)
 double fmb_io_nearest(mpq_srcptr q, bool *exact)
 {
     double x = fmb_nearest_double(q);
+    mpz_srcptr den = mpq_denref(q);
     mpq_t back;
     *exact = false;
-    if (!isfinite(x))
+    if (!isfinite(x) || (fabs(x) < DBL_MAX && mpz_scan1(den, 0) + 1 < mpz_sizeinbase(den, 2)))
         return x;
     mpq_init(back);
     mpq_set_d(back, x);

@@ -72,3 +72,47 @@ Test(roots, roots_at_middles)
     }
     mpq_clears(q, little, NULL);
 }
+
+static void expect_nearest(mpq_t q, double is)
+{
+    cr_expect(fmb_nearest_double(q) == is, "%a", is);
+    mpq_neg(q, q);
+    cr_expect(fmb_nearest_double(q) == -is, "-%a", is);
+    mpq_neg(q, q);
+}
+
+/* At the middle of two doubles the even one; beside it, however little, the nearer one. */
+Test(roots, doubles_nearest_to_middles)
+{
+    static const double at[] = {1, 0, 0x1p-1022, 0x1p-1074, 0x1p-1050, 0x1p1000, 0x1p-300, 0x1.8p7};
+    mpq_t q, little;
+    mpq_inits(q, little, NULL);
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+        double next = nextafter(at[i], INFINITY), after = nextafter(next, INFINITY);
+        bool even = at[i] != 0x1p-1074;
+        mpq_set_d(q, at[i]);
+        expect_nearest(q, at[i]);
+        mpq_set_d(little, next);
+        mpq_add(q, q, little);
+        mpq_div_2exp(q, q, 1);
+        expect_nearest(q, even ? at[i] : next);
+        mpq_set_ui(little, 1, 3);
+        mpq_div_2exp(little, little, 5000);
+        mpq_add(q, q, little);
+        expect_nearest(q, next);
+        mpq_sub(q, q, little);
+        mpq_sub(q, q, little);
+        expect_nearest(q, at[i]);
+        mpq_set_d(q, next);
+        mpq_set_d(little, after);
+        mpq_add(q, q, little);
+        mpq_div_2exp(q, q, 1);
+        expect_nearest(q, even ? after : next);
+    }
+    mpq_set_ui(q, 1, 1);
+    mpq_mul_2exp(q, q, 1024);
+    mpq_set_ui(little, 1, 3);
+    mpq_sub(q, q, little);
+    expect_nearest(q, 0x1.fffffffffffffp1023);
+    mpq_clears(q, little, NULL);
+}
