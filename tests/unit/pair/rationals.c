@@ -2,6 +2,7 @@
 #include <criterion/criterion.h>
 
 #include <fmb/gmp.h>
+#include <pthread.h>
 
 #include "rows.h"
 #include "study/draw/pairs.h"
@@ -213,6 +214,64 @@ Test(rationals, long_numbers)
                                       .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
         expect_all_told(&plan);
     }
+}
+
+/* ---- in a small thread ----------------------------------------------------------------------- */
+
+/* What threads have where libc is musl. */
+enum { SMALL_STACK = 128 << 10, LARGE_DIM = 8, LARGE = 2 * LARGE_DIM + 1 };
+
+typedef struct question {
+    const fmb_frame_q *p, *q;
+    const fmb_pair_answers_q *out;
+    fmb_verdict verdict;
+} question;
+
+static void *ask(void *asked)
+{
+    question *a = asked;
+    must(fmb_pair_answer_q(a->p, a->q, a->out, &a->verdict));
+    return NULL;
+}
+
+static void ask_in_small_thread(question *a)
+{
+    pthread_attr_t small;
+    pthread_t thread;
+    cr_assert_eq(pthread_attr_init(&small), 0);
+    cr_assert_eq(pthread_attr_setstacksize(&small, SMALL_STACK), 0);
+    cr_assert_eq(pthread_create(&thread, &small, ask, a), 0);
+    cr_assert_eq(pthread_join(thread, NULL), 0);
+    pthread_attr_destroy(&small);
+}
+
+/* Two cuboids in eight dimensions with a corner at 0, of which one is 2^1000 times as large. */
+Test(rationals, long_numbers_in_a_small_thread)
+{
+    static mpq_t number[2][LARGE_DIM * (LARGE_DIM + 1)], end[4 * LARGE_DIM], at[LARGE];
+    fmb_frame_q f[2];
+    const fmb_pair_answers_q out = {
+        .size = sizeof out, .world = end, .inside = end + 2 * LARGE_DIM, .witness = at};
+    question a = {&f[0], &f[1], &out, FMB_UNKNOWN};
+    init_all(end, 4 * LARGE_DIM);
+    init_all(at, LARGE);
+    for (int k = 0; k < 2; k++) {
+        init_all(number[k], LARGE_DIM * (LARGE_DIM + 1));
+        for (int i = 0; i < LARGE_DIM * (LARGE_DIM + 1); i++) {
+            mpq_set_si(number[k][i], i < LARGE_DIM ? 0 : (i * i + k) % 7 - 3, 3);
+            mpq_canonicalize(number[k][i]);
+            if (k == 1)
+                mpq_mul_2exp(number[k][i], number[k][i], 1000);
+        }
+        f[k] =
+            (fmb_frame_q){FMB_CUBOID, LARGE_DIM, LARGE_DIM, number[k], number[k] + LARGE_DIM, NULL};
+    }
+    ask_in_small_thread(&a);
+    cr_expect_eq(a.verdict, FMB_FEASIBLE);
+    for (int k = 0; k < 2; k++)
+        clear_all(number[k], LARGE_DIM * (LARGE_DIM + 1));
+    clear_all(end, 4 * LARGE_DIM);
+    clear_all(at, LARGE);
 }
 
 Test(rationals, what_is_not_asked_or_not_for_it)
