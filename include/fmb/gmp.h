@@ -104,12 +104,13 @@ typedef struct fmb_pair_answers_q {
 } fmb_pair_answers_q;
 
 /* Do two closed frames meet? If so (FEASIBLE) all that out asks for, of which everything may be
- * NULL. In microseconds, in up to eight dimensions; in milliseconds, with a few megabytes of
- * memory, where numbers have more than some 45 digits in three, 20 in eight dimensions, once all of
- * a coordinate are over one denominator. UNKNOWN beyond, for frames with more axes than dimensions,
- * and for more than some 1,500 digits in three, 640 in eight dimensions: then out is in part
- * written, and fmb_system_from_frames_q, fmb_solve and fmb_bound tell more. Rationals are only
- * read, and in lowest terms. Errors: ARG (NULL, frames that are none, of different dimensions). */
+ * NULL. In microseconds, in up to eight dimensions; in some ten times as many, with a few megabytes
+ * of memory, where numbers have more than some 45 digits in three, 20 in eight dimensions, once all
+ * of a coordinate are over one denominator, without the divisor that they have in common. UNKNOWN
+ * beyond, without memory, for frames with more axes than dimensions, and for more than some 1,500
+ * digits in three, 640 in eight dimensions: then out is in part written, and
+ * fmb_system_from_frames_q, fmb_solve and fmb_bound tell more. Rationals are only read, and in
+ * lowest terms. Errors: ARG (NULL, frames that are none, of different dimensions). */
 FMB_API FMB_CHECKED fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                                                  const fmb_pair_answers_q *out,
                                                  fmb_verdict *verdict);
