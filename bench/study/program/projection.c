@@ -70,9 +70,14 @@ static const struct {
     {"sites", "points not too far from others, by absolute values", study_image_sites},
     {"dependences", "distances of iterations that touch the same elements",
      study_image_dependences},
+    {"frontier", "what can be made of what, as observed units show", study_image_frontier},
+    {"hedge", "money and shares that are enough to pay later", study_image_hedge},
+    {"grip", "forces that fingers with friction withstand", study_image_grip},
+    {"gates", "and and or of numbers between 0 and 1", study_image_gates},
+    {"warmth", "power by the hour that keeps rooms warm", study_image_warmth},
 };
 
-enum { ALL_FAMILIES = sizeof FAMILY / sizeof *FAMILY, APART = 12, FAMILIES = ALL_FAMILIES - APART };
+enum { ALL_FAMILIES = sizeof FAMILY / sizeof *FAMILY, APART = 17, FAMILIES = ALL_FAMILIES - APART };
 
 /* Seeds are spread as when there were so many families, so that problems stay what they were. */
 enum { SPREAD = 28 };

@@ -80,5 +80,8 @@ study_family study_image_relu, study_image_control, study_image_value, study_ima
 study_family study_image_cuts, study_image_marginals, study_image_recourse, study_image_automaton,
     study_image_mostly_kept, study_image_tails, study_image_lots, study_image_parameters,
     study_image_weights, study_image_mixture, study_image_sites, study_image_dependences;
+/* images_later.c: apart, and later than the choice of ways that they judge */
+study_family study_image_frontier, study_image_hedge, study_image_grip, study_image_gates,
+    study_image_warmth;
 
 #endif
