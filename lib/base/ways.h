@@ -24,8 +24,7 @@
         "projections: variables that make few rows are eliminated first")                          \
     WAY(PRUNED, "pruned elimination", "solve/query/rule_lp",                                       \
         "projections: elimination pruned by the oracle, where cones are large")                    \
-    WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
-    WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
+    WAY(RAYS, "rays", "", "projections: double description within a budget")                       \
     WAY(KNOWN, "known rows", "hull/support/support_known",                                         \
         "support queries: facets that are rows of the system")                                     \
     WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                     \

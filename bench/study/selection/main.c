@@ -50,7 +50,7 @@ static const struct {
 
 enum { SINGLES = sizeof SINGLE / sizeof *SINGLE, MOST_ARMS = 64 };
 
-/* What the library chooses, and then its pipelines. */
+/* Those, and then pipelines. */
 static int count_arms(const setup *u)
 {
     int n = 0;
@@ -58,14 +58,12 @@ static int count_arms(const setup *u)
         return u->choice ? 1 : SINGLES;
     while (fmb_selection_name(n))
         n++;
-    return n + 1;
+    return SINGLES + n;
 }
 
-static const char *name_of_arm(const setup *u, int arm)
+static const char *name_of_arm(int arm)
 {
-    return u->singles || u->choice ? SINGLE[arm].name
-           : arm == 0              ? "auto"
-                                   : fmb_selection_name(arm - 1);
+    return arm < SINGLES ? SINGLE[arm].name : fmb_selection_name(arm - SINGLES);
 }
 
 /* Of the largest part that was heard of. */
@@ -157,15 +155,13 @@ static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int
 #define AS_GOOD    1.1
 #define LEAST_WAIT 0.01 /* [s] */
 
-static double time_arm(const setup *u, int arm, const fmb_system *s, const int *keep, int kept,
-                       double seconds)
+static double time_arm(int arm, const fmb_system *s, const int *keep, int kept, double seconds)
 {
     fmb_options o = {.size = sizeof o, .evidence = FMB_EVIDENCE_NONE};
     fmb_solver *v;
-    if (u->singles)
+    if (arm < SINGLES)
         o.method = SINGLE[arm].method;
-    else
-        fmb_selection_forced = arm - 1;
+    fmb_selection_forced = arm < SINGLES ? -1 : arm - SINGLES;
     if (fmb_solver_new(&o, NULL, &v) != FMB_OK)
         fail("no memory");
     double least = time_once(v, s, keep, kept, seconds), total = least;
@@ -201,11 +197,11 @@ static void time_arms(const setup *u, const fmb_system *s, const int *keep, int 
 {
     double least = u->seconds;
     fmb_features_watch = (fmb_features_watcher){hear_part, h};
-    (void)time_arm(u, 0, s, keep, kept, u->seconds > 0 ? u->seconds : LEAST_WAIT);
+    (void)time_arm(0, s, keep, kept, u->seconds > 0 ? u->seconds : LEAST_WAIT);
     fmb_features_watch = (fmb_features_watcher){NULL, NULL};
     for (int arm = 0; h->any && u->seconds > 0 && arm < count_arms(u); arm++) {
         double limit = limit_behind(u, least);
-        took[arm] = time_arm(u, arm, s, keep, kept, limit);
+        took[arm] = time_arm(arm, s, keep, kept, limit);
         if (took[arm] < 0)
             took[arm] = -limit;
         else if (took[arm] < least)
@@ -230,8 +226,7 @@ static void study_problem(const setup *u, const char *family, int digits, uint64
                family, digits, seed, u->seconds);
         print_features(&h);
         for (int arm = 0; u->seconds > 0 && arm < count_arms(u); arm++)
-            printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(u, arm),
-                   took[arm]);
+            printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(arm), took[arm]);
         puts(u->seconds > 0 ? "}}" : "}");
         fflush(stdout);
     }

@@ -336,8 +336,7 @@ static const struct step_way {
     [FMB_STEP_RECESSION] = {try_recession, FMB_WAY_RECESSION},
     [FMB_STEP_BOUNDED] = {try_bounded_elimination, FMB_WAY_BOUNDED_GROWTH},
     [FMB_STEP_PRUNED] = {run_elimination, FMB_WAY_PRUNED},
-    [FMB_STEP_FIRST_RAYS] = {run_rays, FMB_WAY_FIRST_RAYS},
-    [FMB_STEP_SECOND_RAYS] = {run_rays, FMB_WAY_SECOND_RAYS},
+    [FMB_STEP_RAYS] = {run_rays, FMB_WAY_RAYS},
     [FMB_STEP_QUERIES] = {run_queries, FMB_WAY_COUNT},
 };
 
@@ -418,6 +417,8 @@ static fmb_status run_portfolio(part_run *r)
         r->slices.engine[k].share = k == likely_engine(r) ? 2 : 1;
     if (is_open(st, r) && by_rays)
         st = run_engine(r, ENGINE_RAYS, 0);
+    if (is_open(st, r) && !by_rays && !r->reduced.rest) /* nothing is left to choose */
+        st = try_bounded_elimination(r, 1);
     if (is_open(st, r) && !by_rays) {
         fmb_pipeline p = fmb_selection_pipeline(&r->features);
         st = run_pipeline(r, &p);

@@ -5,6 +5,9 @@
 fmb_features_watcher fmb_features_watch;
 #endif
 
+#define FEW_KEPT     4
+#define FEW_FREEDOMS 5
+
 static int count_kept_variables(const fmb_reduced_part *h)
 {
     int kept = 0;
@@ -13,13 +16,12 @@ static int count_kept_variables(const fmb_reduced_part *h)
     return kept;
 }
 
-static void note_given_rows(const fmb_part *p, fmb_features *f)
+static bool has_wide_row(const fmb_part *p)
 {
-    f->given = p->m;
-    for (size_t i = 0; i < p->m; i++) {
-        f->is_strict |= p->rel[i] == FMB_LT;
-        f->is_wide |= fmb_vec_is_wide(&p->row[i]);
-    }
+    for (size_t i = 0; i < p->m; i++)
+        if (fmb_vec_is_wide(&p->row[i]))
+            return true;
+    return false;
 }
 
 /* Does the row hold where all variables are 0? */
@@ -29,35 +31,69 @@ static bool holds_at_origin(const fmb_derived *r, size_t n)
     return side >= 0 && !(r->strict && side == 0) && !(r->equality && side != 0);
 }
 
-static void note_rows_left(const fmb_elim *e, fmb_features *f)
-{
-    bool wide = false, all_long = true;
-    f->rows = e->live.size;
-    f->has_origin = true;
-    for (size_t i = 0; i < e->live.size; i++) {
-        const fmb_derived *r = &e->row[e->live.row[i]];
-        size_t nonzero = (size_t)fmb_elim_count_variables(e, r);
-        f->entries += nonzero;
-        f->bounds += nonzero == 1;
-        wide |= fmb_vec_is_wide(&r->v);
-        all_long &= fmb_vec_is_wide(&r->v) || r->v.bits > FMB_LAZY_BITS;
-        f->has_origin &= holds_at_origin(r, (size_t)e->n);
-    }
-    f->is_long = wide || all_long;
-}
-
 static size_t freedom_of_cone(size_t rows, size_t dimensions)
 {
     size_t beyond = rows > dimensions ? rows - dimensions : 0;
     return beyond > dimensions ? dimensions : beyond;
 }
 
+static size_t count_dropped_variables(const fmb_reduced_part *h, const fmb_derived *r)
+{
+    size_t dropped = 0;
+    for (int j = 0; j < h->e.n; j++)
+        dropped += h->drop[j] && fmb_vec_sgn(&r->v, (size_t)j) != 0;
+    return dropped;
+}
+
+static void note_row(const fmb_reduced_part *h, const fmb_derived *r, fmb_features *f)
+{
+    size_t n = (size_t)h->e.n, nonzero = (size_t)fmb_elim_count_variables(&h->e, r);
+    size_t dropped = count_dropped_variables(h, r);
+    f->entries += nonzero;
+    f->bounds += nonzero == 1;
+    f->kept_rows += dropped == 0;
+    f->dropped_rows += dropped == nonzero;
+    f->homogeneous += fmb_vec_sgn(&r->v, n) == 0;
+    f->has_origin &= holds_at_origin(r, n);
+}
+
+static void note_rows_left(const fmb_reduced_part *h, fmb_features *f)
+{
+    const fmb_elim *e = &h->e;
+    bool wide = false, all_long = true;
+    f->rows = e->live.size;
+    f->has_origin = true;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        note_row(h, r, f);
+        wide |= fmb_vec_is_wide(&r->v);
+        all_long &= fmb_vec_is_wide(&r->v) || r->v.bits > FMB_LAZY_BITS;
+    }
+    f->is_long = wide || all_long;
+}
+
+/* An equality counts for both signs. */
+static void note_column(const fmb_reduced_part *h, size_t j, fmb_features *f)
+{
+    size_t up = 0, down = 0;
+    for (size_t i = 0; i < h->e.live.size; i++) {
+        const fmb_derived *r = &h->e.row[h->e.live.row[i]];
+        int sign = fmb_vec_sgn(&r->v, j);
+        up += sign > 0 || (sign < 0 && r->equality);
+        down += sign < 0 || (sign > 0 && r->equality);
+    }
+    f->most_pairs = up * down > f->most_pairs ? up * down : f->most_pairs;
+}
+
 fmb_features fmb_features_of(const fmb_reduced_part *reduced)
 {
     fmb_features f = {.kept = count_kept_variables(reduced), .variables = reduced->p->n};
+    f.is_wide = has_wide_row(reduced->p);
     f.columns = (size_t)reduced->p->n - (size_t)reduced->e.rounds;
-    note_given_rows(reduced->p, &f);
-    note_rows_left(&reduced->e, &f);
+    note_rows_left(reduced, &f);
+    for (int j = 0; j < reduced->e.n; j++)
+        if (reduced->drop[j])
+            note_column(reduced, (size_t)j, &f);
     f.minor_bits = fmb_elim_minor_bits(&reduced->e);
     f.freedom = freedom_of_cone(f.rows, f.columns + 1);
 #ifdef FMB_ABLATE
@@ -65,6 +101,17 @@ fmb_features fmb_features_of(const fmb_reduced_part *reduced)
         fmb_features_watch.hear(fmb_features_watch.self, &f, reduced);
 #endif
     return f;
+}
+
+bool fmb_features_are_dense(const fmb_features *f)
+{
+    return 4 * f->entries >= 3 * f->rows * f->columns;
+}
+
+bool fmb_features_is_hull_expensive(const fmb_features *f)
+{
+    return f->kept > FEW_KEPT && fmb_features_are_dense(f) && f->freedom <= FEW_FREEDOMS &&
+           !f->is_long;
 }
 
 #define FMB_FEATURE_NAME(id, name, value) [FMB_FEATURE_##id] = name,

@@ -9,40 +9,48 @@
 
 typedef struct fmb_features {
     /* The part as it came. */
-    int kept;       /* variables that stay */
-    int variables;  /* all of them */
-    size_t given;   /* rows */
-    bool is_strict; /* some rows are strict */
-    bool is_wide;   /* some numbers are longer than a word */
+    int kept;      /* variables that stay */
+    int variables; /* all of them */
+    bool is_wide;  /* some numbers are longer than a word */
     /* What is left of it. */
     size_t columns, rows; /* variables and rows */
     size_t entries;       /* coefficients */
     size_t bounds;        /* rows with one coefficient */
-    size_t freedom;    /* the least of dimensions and of rows beyond as many, of the cone: up to 10
-                          or so it has few rays */
-    size_t minor_bits; /* about as long is a minor of all columns, if rows are like the mean of
-                          them [bits] */
-    bool is_long;      /* some numbers are longer than a word, or so long in all rows that those of
-                          combinations will be */
-    bool has_origin;   /* all variables at 0 are a solution */
+    size_t kept_rows;     /* rows of variables that stay alone, */
+    size_t dropped_rows;  /* and of such that go */
+    size_t homogeneous;   /* rows with right side 0 */
+    size_t most_pairs;    /* rows of opposite signs in a variable that goes, the most of all */
+    size_t freedom;       /* the least of dimensions and of rows beyond as many, of the cone */
+    size_t minor_bits;    /* about as long is a minor of all columns, if rows are like the mean of
+                             them [bits] */
+    bool is_long;         /* some numbers are longer than a word, or so long in all rows that those
+                             of combinations will be */
+    bool has_origin;      /* all variables at 0 are a solution */
 } fmb_features;
+
+/* 0 of nothing. */
+static inline double fmb_features_share(size_t part, size_t whole)
+{
+    return whole > 0 ? (double)part / (double)whole : 0;
+}
 
 /* What the choice asks about: identifier, name in data and reports, and the number as a double. */
 #define FMB_FEATURE_VALUES(F)                                                                      \
     F(KEPT, "variables that stay", f->kept)                                                        \
-    F(TO_GO, "variables to go", (double)f->columns - f->kept)                                      \
+    F(VARIABLES, "variables given", f->variables)                                                  \
     F(COLUMNS, "variables", f->columns)                                                            \
     F(ROWS, "rows", f->rows)                                                                       \
-    F(ENTRIES, "coefficients", f->entries)                                                         \
-    F(ROWS_BY_COLUMN, "rows a variable", (double)f->rows / (double)f->columns)                     \
-    F(ENTRIES_BY_ROW, "coefficients a row", (double)f->entries / (double)f->rows)                  \
-    F(DENSITY, "density", (double)f->entries / ((double)f->rows * (double)f->columns))             \
-    F(BOUNDS, "share of bounds", (double)f->bounds / (double)f->rows)                              \
-    F(FREEDOM, "freedom of the cone", f->freedom)                                                  \
+    F(ROWS_BY_COLUMN, "rows a variable", fmb_features_share(f->rows, f->columns))                  \
+    F(ENTRIES_BY_ROW, "coefficients a row", fmb_features_share(f->entries, f->rows))               \
+    F(DENSITY, "density", fmb_features_share(f->entries, f->rows * f->columns))                    \
+    F(KEPT_ROWS, "share of rows that only stay", fmb_features_share(f->kept_rows, f->rows))        \
+    F(DROPPED_ROWS, "share of rows that only go", fmb_features_share(f->dropped_rows, f->rows))    \
+    F(HOMOGENEOUS, "share of rows through 0", fmb_features_share(f->homogeneous, f->rows))         \
+    F(MOST_PAIRS, "pairs of a variable", f->most_pairs)                                            \
     F(MINOR_BITS, "bits of a minor", f->minor_bits)                                                \
-    F(LONG, "long numbers", f->is_long)                                                            \
-    F(STRICT, "strict rows", f->is_strict)                                                         \
-    F(ORIGIN, "0 is a solution", f->has_origin)
+    F(WIDE, "wide numbers", f->is_wide)                                                            \
+    F(ORIGIN, "0 is a solution", f->has_origin)                                                    \
+    F(EXPENSIVE_HULL, "hulls are expensive", fmb_features_is_hull_expensive(f))
 
 #define FMB_FEATURE_IDENTIFIER(id, name, value) FMB_FEATURE_##id,
 typedef enum fmb_feature_id {
@@ -50,7 +58,14 @@ typedef enum fmb_feature_id {
 } fmb_feature_id;
 #undef FMB_FEATURE_IDENTIFIER
 
-/* Looks at each coefficient once. What follows holds while the reduced part stays as it is. */
+/* Are three of four coefficients there? */
+bool fmb_features_are_dense(const fmb_features *f);
+/* The projection has few more facets than there are rows, while hulls in many dimensions, which
+ * rays and queries end with, take longer than rows to be pruned. A rule that the fit asks about, as
+ * it does not find it by itself. */
+bool fmb_features_is_hull_expensive(const fmb_features *f);
+
+/* Looks at each coefficient twice. What follows holds while the reduced part stays as it is. */
 fmb_features fmb_features_of(const fmb_reduced_part *reduced);
 double fmb_features_value(const fmb_features *f, fmb_feature_id which);
 const char *fmb_features_name(fmb_feature_id which);

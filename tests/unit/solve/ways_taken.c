@@ -3,6 +3,7 @@
  */
 #include <criterion/criterion.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,25 +17,47 @@
 
 static const char *const STEP[FMB_STEPS] = {
     [FMB_STEP_RECESSION] = "recession",       [FMB_STEP_BOUNDED] = "bounded elimination",
-    [FMB_STEP_PRUNED] = "pruned elimination", [FMB_STEP_FIRST_RAYS] = "rays",
-    [FMB_STEP_SECOND_RAYS] = "more rays",     [FMB_STEP_QUERIES] = "queries",
+    [FMB_STEP_PRUNED] = "pruned elimination", [FMB_STEP_RAYS] = "rays",
+    [FMB_STEP_QUERIES] = "queries",
 };
 
-/* The questions of the table and their answers, then the pipeline. */
+static int find_second(const fmb_features *f, int best)
+{
+    int second = -1;
+    for (int k = 0; fmb_selection_name(k); k++)
+        if (k != best && (second < 0 || fmb_selection_score(f, k) < fmb_selection_score(f, second)))
+            second = k;
+    return second;
+}
+
+/* The feature that speaks for the best one rather than for the second, the most. */
+static fmb_feature_id find_reason(const fmb_features *f, int best, int second)
+{
+    int reason = 0;
+    double most = -INFINITY;
+    for (int k = 0; k < FMB_FEATURE_COUNT; k++) {
+        double speaks = fmb_selection_term(f, second, (fmb_feature_id)k) -
+                        fmb_selection_term(f, best, (fmb_feature_id)k);
+        if (speaks > most) {
+            most = speaks;
+            reason = k;
+        }
+    }
+    return (fmb_feature_id)reason;
+}
+
+/* The pipeline, and why not the second best. */
 static void tell_choice(FILE *out, const fmb_features *f)
 {
-    int at = 0;
-    const fmb_selection_line *l;
-    while ((l = fmb_selection_line_at(at))->asks != FMB_FEATURE_COUNT) {
-        bool yes = fmb_features_value(f, l->asks) <= l->most;
-        fprintf(out, "    %s %s %.4g\n", fmb_features_name(l->asks), yes ? "<=" : ">", l->most);
-        at = yes ? at + 1 : l->otherwise;
-    }
-    fprintf(out, "    -> %s:", fmb_selection_name(l->pipeline));
+    int best = fmb_selection_best(f), second = find_second(f, best);
+    fmb_feature_id reason = find_reason(f, best, second);
+    fprintf(out, "    %s:", fmb_selection_name(best));
     fmb_pipeline p = fmb_selection_pipeline(f);
     for (int k = 0; k < FMB_MOST_STEPS && p.step[k].kind != FMB_STEP_NONE; k++)
         fprintf(out, "%s %s", k > 0 ? "," : "", STEP[p.step[k].kind]);
-    fputc('\n', out);
+    fprintf(out, "\n    by %.2f rather than %s, most for %s %.4g\n",
+            (fmb_selection_score(f, second) - fmb_selection_score(f, best)) / 1000,
+            fmb_selection_name(second), fmb_features_name(reason), fmb_features_value(f, reason));
 }
 
 /* Of the largest part that is left once cheap variables are gone. */
