@@ -7,6 +7,7 @@
 #include "pair/contact/bodies.h"
 #include "pair/contact/contact_face.h"
 #include "pair/corner_edges.h"
+#include "pair/pair_portfolio.h"
 
 /* Pairs that are answered together, and a block of some of them. */
 enum { CONTACTS_AT_ONCE = 64 };

@@ -6,7 +6,7 @@
 
 #include "pair/contact/contact_near.h"
 #include "pair/kernels/packed_kernels.h"
-#include "pair/pair_portfolio.h"
+#include "pair/pair_private.h"
 
 /* Of pairs that meet: does out ask for more than fmb_pair_answer_all answers? Of those that do not?
  */

@@ -1,127 +1,14 @@
 /* pair_portfolio.c: see pair_portfolio.h. */
 #include "pair/pair_portfolio.h"
 
-#include <stdio.h>
-
 #include "base/ways.h"
-#include "pair/contact/bodies.h"
-#include "pair/contact/contact_near.h"
-#include "pair/corner_edges.h"
-#include "pair/corners/cell.h"
 #include "pair/kernels/packed_kernels.h"
-
-/* One call of fmb_pair_test. */
-typedef struct query {
-    fmb_pair *k;
-    const fmb_frame *p, *q;
-    const fmb_pair_answers *out;
-    bool boxes, alone; /* more than the verdict is wanted; this is the only pair */
-    fmb_pair_known known;
-    const fmb_pair_kernels *kernels;
-} query;
-
-/* ---- one pair -------------------------------------------------------------------------------- */
-
-/* The places of pair i. */
-static fmb_pair_answers answers_of(const query *a, size_t i)
-{
-    size_t dim = (size_t)a->k->dim;
-    const fmb_pair_answers *o = a->out;
-    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
-                              .verdict = o->verdict + i,
-                              .world = o->world ? o->world + 2 * dim * i : NULL,
-                              .inside = o->inside ? o->inside + 2 * dim * i : NULL,
-                              .time = o->time ? o->time + 2 * i : NULL,
-                              .witness = o->witness ? o->witness + dim * i : NULL};
-}
-
-/* Pair i as frames by edges, as doubles want them. False: an edge is no double. */
-static bool are_good(const query *a, size_t i)
-{
-    return a->known != FMB_PAIR_NEW ||
-           (fmb_frame_is_good(&a->p[i], a->k->dim) && fmb_frame_is_good(&a->q[i], a->k->dim));
-}
-
-static bool take_edges(const query *a, size_t i, fmb_corner_edges *p, fmb_corner_edges *q)
-{
-    return fmb_edges_of_frame(&a->p[i], p) && fmb_edges_of_frame(&a->q[i], q);
-}
-
-static bool asks_exactly(const query *a)
-{
-    return !a->k->options.doubles_only && !fmb_pair_is_cancelled(a->k);
-}
-
-/* More than a verdict, which is FEASIBLE. */
-static fmb_status answer_exactly(const query *a, size_t i)
-{
-    fmb_pair_answers out = answers_of(a, i);
-    if (!asks_exactly(a)) {
-        *out.verdict = FMB_UNKNOWN;
-        return FMB_OK;
-    }
-    a->k->counts.exact_boxes++;
-    return fmb_pair_oracle_answer(&a->k->oracle, &a->p[i], &a->q[i], &out);
-}
-
-/* NULL without memory. */
-static fmb_exact_boxer *need_boxer(fmb_pair *k)
-{
-    if (!k->boxer)
-        k->boxer = fmb_exact_boxer_new(&k->mem, NULL);
-    return k->boxer;
-}
-
-/* The same, in doubles if they are good enough, or at vertices that are proved. */
-static fmb_status answer_generally(const query *a, size_t i)
-{
-    const fmb_pair *k = a->k;
-    fmb_pair_answers out = answers_of(a, i);
-    fmb_corner_edges p, q;
-    if (k->options.method == FMB_PAIR_EXACT)
-        return answer_exactly(a, i);
-    bool done = !k->options.tightest && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &p, &q) &&
-                fmb_general_answer(k->general, &p.frame, &q.frame, &out);
-    fmb_way_answered(FMB_WAY_PAIR_DOUBLES, done);
-    if (done)
-        return FMB_OK;
-    done = asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES) &&
-           (fmb_exact_box_answer(need_boxer(a->k), &a->p[i], &a->q[i], &out) ||
-            fmb_pair_oracle_answer_at_vertices(&a->k->oracle, &a->p[i], &a->q[i], &out));
-    fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
-    return done ? FMB_OK : answer_exactly(a, i);
-}
-
-static fmb_status decide_exactly(const query *a, size_t i)
-{
-    fmb_verdict *out = &a->out->verdict[i];
-    *out = FMB_UNKNOWN;
-    if (!asks_exactly(a))
-        return FMB_OK;
-    a->k->counts.exact_verdicts++;
-    bool done = a->k->options.method != FMB_PAIR_EXACT && fmb_way(FMB_WAY_PAIR_VERTICES) &&
-                fmb_pair_oracle_decide_at_vertices(&a->k->oracle, &a->p[i], &a->q[i], out);
-    fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
-    if (!done)
-        FMB_TRY(fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out));
-    return *out == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : FMB_OK;
-}
-
-/* Say what is wrong with pair i. */
-static fmb_status refuse_pair(const query *a, size_t i)
-{
-    fmb_pair *k = a->k;
-    char fault[FMB_FRAME_FAULT_SIZE];
-    bool first = fmb_frame_describe_fault(&a->p[i], k->dim, fault, sizeof fault);
-    if (first || fmb_frame_describe_fault(&a->q[i], k->dim, fault, sizeof fault))
-        snprintf(k->error, sizeof k->error, "%c[%zu]: %s", first ? 'p' : 'q', i, fault);
-    return FMB_ERR_ARG;
-}
+#include "pair/single_pair.h"
 
 /* Let pair i wait in a block of that stage. */
-static fmb_status wait_in_block(const query *a, int stage, size_t i);
+static fmb_status wait_in_block(const fmb_pair_call *a, int stage, size_t i);
 /* Let it wait in the block for any number of axes, if its edges are doubles. */
-static fmb_status wait_in_flat_block(const query *a, size_t i);
+static fmb_status wait_in_flat_block(const fmb_pair_call *a, size_t i);
 
 /* ---- boxes by kernels ------------------------------------------------------------------------ */
 
@@ -150,7 +37,8 @@ FMB_BLOCK_INLINE void write_lane_of_box(int dim, const fmb_pair_answers *out, co
         out->witness[d * i + (size_t)j] = from[(4 * dim + 2 + j) * width];
 }
 
-static void write_lanes(const query *a, const fmb_block *b, unsigned lanes, const double *answer)
+static void write_lanes(const fmb_pair_call *a, const fmb_block *b, unsigned lanes,
+                        const double *answer)
 {
     for (; lanes; lanes &= lanes - 1) {
         int lane = __builtin_ctz(lanes);
@@ -162,22 +50,22 @@ static void write_lanes(const query *a, const fmb_block *b, unsigned lanes, cons
 }
 
 /* The kernel of a stage; NULL: there is none. */
-static fmb_box_kernel *kernel_of_boxes(const query *a, int stage, int kind)
+static fmb_box_kernel *kernel_of_boxes(const fmb_pair_call *a, int stage, int kind)
 {
     fmb_box_kernel *const(*of)[2][2][2] = a->kernels->box[stage - STAGE_BOX];
     return a->k->options.tightest ? NULL : of[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
 }
 
 /* Pair i meets; a kernel said so. */
-static fmb_status find_box_from_stage(const query *a, int stage, int kind, size_t i)
+static fmb_status find_box_from_stage(const fmb_pair_call *a, int stage, int kind, size_t i)
 {
     return stage < STAGES && kernel_of_boxes(a, stage, kind) ? wait_in_block(a, stage, i)
-                                                             : answer_generally(a, i);
+                                                             : fmb_single_pair_answer(a, i);
 }
 
 /* Boxes of these lanes of a block. */
-static fmb_status find_boxes_of_lanes(const query *a, const fmb_block *b, int stage, int kind,
-                                      unsigned lanes)
+static fmb_status find_boxes_of_lanes(const fmb_pair_call *a, const fmb_block *b, int stage,
+                                      int kind, unsigned lanes)
 {
     _Alignas(64) double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
     unsigned good = kernel_of_boxes(a, stage, kind)(b->number, answer);
@@ -190,76 +78,22 @@ static fmb_status find_boxes_of_lanes(const query *a, const fmb_block *b, int st
 
 /* ---- verdicts -------------------------------------------------------------------------------- */
 
-static void decide_at_vertices(const query *a, size_t i, fmb_verdict *out)
-{
-    if (!asks_exactly(a) || !fmb_way(FMB_WAY_PAIR_VERTICES))
-        return;
-    *out = fmb_exact_box_decide(need_boxer(a->k), &a->p[i], &a->q[i], a->k->options.contact);
-    a->k->counts.exact_verdicts += *out != FMB_UNKNOWN;
-    fmb_way_answered(FMB_WAY_PAIR_VERTICES, *out != FMB_UNKNOWN);
-}
-
-/* Closed frames that kernels left open: most of them touch, which doubles never tell. */
-static void meet_at_vertex(const query *a, size_t i, fmb_verdict *out)
-{
-    if (a->known != FMB_PAIR_OPEN || a->k->options.contact != FMB_CONTACT_CLOSED ||
-        !asks_exactly(a) || !fmb_way(FMB_WAY_PAIR_VERTICES) ||
-        !fmb_exact_box_meet(need_boxer(a->k), &a->p[i], &a->q[i]))
-        return;
-    *out = FMB_FEASIBLE;
-    a->k->counts.exact_verdicts++;
-    fmb_way_answered(FMB_WAY_PAIR_VERTICES, true);
-}
-
-static bool are_hulls(const fmb_frame *p, const fmb_frame *q)
-{
-    return (fmb_frame_is_hull(p) || fmb_frame_is_hull(q)) && fmb_bodies_are(p, q);
-}
-
-/* Good frames, by signs of determinants, in doubles where no kernel did that, and at vertices. */
-static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
-{
-    fmb_pair *k = a->k;
-    const fmb_frame *p = &a->p[i], *q = &a->q[i];
-    fmb_corner_edges of_p, of_q;
-    bool by_kernels = k->dim == 2 || k->dim == 3;
-    if (are_hulls(p, q)) {
-        *out = fmb_contact_of_hulls(p, q, &k->wide->packed->hulls, &(bool){false}, NULL);
-        fmb_way_answered(FMB_WAY_PAIR_DOUBLES, *out != FMB_UNKNOWN);
-        return;
-    }
-    bool done = fmb_way(FMB_WAY_PAIR_CORNERS) && fmb_decide_corners(p, q, k->options.contact, out);
-    fmb_way_answered(FMB_WAY_PAIR_CORNERS, done);
-    if (done)
-        return;
-    if (by_kernels)
-        decide_at_vertices(a, i, out);
-    else
-        meet_at_vertex(a, i, out);
-    done = *out != FMB_UNKNOWN;
-    if (!done && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
-        *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
-    fmb_way_answered(FMB_WAY_PAIR_DOUBLES, !done && *out != FMB_UNKNOWN);
-    if (*out == FMB_UNKNOWN && !by_kernels)
-        decide_at_vertices(a, i, out);
-}
-
 /* What no kernel decides. Then its box may still be one for kernels, from that stage on. */
-static fmb_status decide_generally(const query *a, int stage, int kind, size_t i)
+static fmb_status decide_generally(const fmb_pair_call *a, int stage, int kind, size_t i)
 {
     fmb_pair *k = a->k;
-    if (!are_good(a, i))
-        return refuse_pair(a, i);
+    if (!fmb_single_pair_is_good(a, i))
+        return fmb_single_pair_refuse(a, i);
     a->out->verdict[i] = FMB_UNKNOWN;
     if (k->options.method != FMB_PAIR_EXACT && !fmb_pair_is_cancelled(k))
-        decide_without_query(a, i, &a->out->verdict[i]);
+        fmb_single_pair_decide(a, i, &a->out->verdict[i]);
     if (a->out->verdict[i] == FMB_UNKNOWN)
-        return decide_exactly(a, i);
+        return fmb_single_pair_decide_exactly(a, i);
     return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? find_box_from_stage(a, stage, kind, i)
                                                           : FMB_OK;
 }
 
-static fmb_verdict_kernel *verdict_kernel(const query *a, int kind)
+static fmb_verdict_kernel *verdict_kernel(const fmb_pair_call *a, int kind)
 {
     return a->kernels->verdict[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
 }
@@ -271,7 +105,7 @@ static unsigned lanes_taken(const fmb_block *b)
 
 /* Where most lanes meet, they go on to boxes as they stand; else it is cheaper to put them into a
  * block of their own. */
-static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
+static fmb_status flush_verdicts(const fmb_pair_call *a, const fmb_block *b, int kind)
 {
     fmb_pair_bits bits = verdict_kernel(a, kind)(b->number);
     unsigned boxed = a->boxes ? bits.meet & ~bits.apart & lanes_taken(b) : 0;
@@ -292,7 +126,7 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
 }
 
 /* The same of the block of frames with any number of axes. */
-static fmb_status flush_flat_verdicts(const query *a, const fmb_block *b)
+static fmb_status flush_flat_verdicts(const fmb_pair_call *a, const fmb_block *b)
 {
     fmb_pair_bits bits = a->kernels->packed->flat[a->k->dim - 2](&a->k->flat, b->number);
     for (int lane = 0; lane < b->lanes; lane++) {
@@ -304,7 +138,7 @@ static fmb_status flush_flat_verdicts(const query *a, const fmb_block *b)
         if (!meet && !apart)
             FMB_TRY(decide_generally(a, STAGES, 0, i));
         else if (meet && a->boxes)
-            FMB_TRY(answer_generally(a, i));
+            FMB_TRY(fmb_single_pair_answer(a, i));
     }
     return FMB_OK;
 }
@@ -334,13 +168,14 @@ static void prefetch_frames(const fmb_frame *p, const fmb_frame *q)
     prefetch_axes(q);
 }
 
-static fmb_status answer_or_wait(const query *a, size_t i)
+static fmb_status answer_or_wait(const fmb_pair_call *a, size_t i)
 {
     fmb_pair *k = a->k;
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     if (p->dim != k->dim || q->dim != k->dim)
-        return refuse_pair(a, i);
-    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT || are_hulls(p, q))
+        return fmb_single_pair_refuse(a, i);
+    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
+        fmb_single_pair_is_of_hulls(p, q))
         return decide_generally(a, STAGES, 0, i);
     if (has_all_axes(p, k->dim) && has_all_axes(q, k->dim))
         return fmb_way(FMB_WAY_PAIR_KERNELS) ? wait_in_block(a, STAGE_VERDICT, i)
@@ -359,7 +194,7 @@ static void fill_unused_lanes(fmb_block *b, int width)
             b->number[r * width + lane] = b->number[r * width];
 }
 
-static fmb_status flush_block(const query *a, int number)
+static fmb_status flush_block(const fmb_pair_call *a, int number)
 {
     fmb_block *b = &a->k->block[number];
     int stage = number / KINDS, kind = number % KINDS;
@@ -374,11 +209,12 @@ static fmb_status flush_block(const query *a, int number)
     return st;
 }
 
-static fmb_status wait_in_block(const query *a, int stage, size_t i)
+static fmb_status wait_in_block(const fmb_pair_call *a, int stage, size_t i)
 {
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     fmb_corner_edges of_p, of_q;
-    if (((unsigned)p->shape | (unsigned)q->shape) > FMB_SIMPLEX && take_edges(a, i, &of_p, &of_q)) {
+    if (((unsigned)p->shape | (unsigned)q->shape) > FMB_SIMPLEX &&
+        fmb_single_pair_edges(a, i, &of_p, &of_q)) {
         p = &of_p.frame;
         q = &of_q.frame;
     }
@@ -400,7 +236,7 @@ static bool is_flat_kind(const fmb_flat_kind *k, bool moves, const fmb_frame *p,
 }
 
 /* The block holds one kind at a time: another one makes it go. */
-static fmb_status prepare_flat_block(const query *a, const fmb_frame *p, const fmb_frame *q)
+static fmb_status prepare_flat_block(const fmb_pair_call *a, const fmb_frame *p, const fmb_frame *q)
 {
     const int naxes[2] = {p->naxes, q->naxes};
     const bool simplex[2] = {p->shape, q->shape}, moves = p->speed || q->speed;
@@ -414,12 +250,12 @@ static fmb_status prepare_flat_block(const query *a, const fmb_frame *p, const f
     return st;
 }
 
-static fmb_status wait_in_flat_block(const query *a, size_t i)
+static fmb_status wait_in_flat_block(const fmb_pair_call *a, size_t i)
 {
     fmb_pair *k = a->k;
     fmb_block *b = &k->block[FLAT_BLOCK];
     fmb_corner_edges p, q;
-    if (!are_good(a, i) || !take_edges(a, i, &p, &q))
+    if (!fmb_single_pair_is_good(a, i) || !fmb_single_pair_edges(a, i, &p, &q))
         return decide_generally(a, STAGES, 0, i);
     fmb_status st = prepare_flat_block(a, &p.frame, &q.frame);
     int width = a->kernels->width;
@@ -439,7 +275,7 @@ static void forget_waiting_pairs(fmb_pair *k)
 enum { PAIRS_AT_ONCE = 256 };
 
 /* Are both frames of pair i by edges, still, with all axes, and of the shapes of pair `first`? */
-static bool is_plain_pair(const query *a, size_t first, size_t i)
+static bool is_plain_pair(const fmb_pair_call *a, size_t first, size_t i)
 {
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     int dim = a->k->dim;
@@ -449,7 +285,7 @@ static bool is_plain_pair(const query *a, size_t first, size_t i)
 }
 
 /* Do the next pairs fill a block, all of them plain and of one kind? */
-static bool is_plain_block(const query *a, size_t from, size_t to)
+static bool is_plain_block(const fmb_pair_call *a, size_t from, size_t to)
 {
     const size_t width = (size_t)a->kernels->width;
     size_t n = 0;
@@ -462,7 +298,7 @@ static bool is_plain_block(const query *a, size_t from, size_t to)
 }
 
 /* A block of plain pairs, whose verdicts alone are asked. */
-static fmb_status answer_plain_block(const query *a, size_t from)
+static fmb_status answer_plain_block(const fmb_pair_call *a, size_t from)
 {
     const fmb_frame *p = &a->p[from], *q = &a->q[from];
     bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
@@ -476,7 +312,7 @@ static fmb_status answer_plain_block(const query *a, size_t from)
 
 /* Pairs from `from` up to but without `to`. Those of a block that is not plain go one after
  * another: mixed pairs are seldom looked at twice. */
-static fmb_status answer_some(const query *a, size_t from, size_t to, size_t n)
+static fmb_status answer_some(const fmb_pair_call *a, size_t from, size_t to, size_t n)
 {
     const size_t width = (size_t)a->kernels->width;
     const bool blocks = !a->boxes && (a->k->dim == 2 || a->k->dim == 3) &&
@@ -497,14 +333,14 @@ static fmb_status answer_some(const query *a, size_t from, size_t to, size_t n)
 fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
                                fmb_pair_known known, const fmb_pair_answers *out)
 {
-    query a = {k,
-               p,
-               q,
-               out,
-               out->world || out->inside || out->time || out->witness,
-               n == 1,
-               known,
-               n == 1 ? k->one : k->wide};
+    fmb_pair_call a = {k,
+                       p,
+                       q,
+                       out,
+                       out->world || out->inside || out->time || out->witness,
+                       n == 1,
+                       known,
+                       n == 1 ? k->one : k->wide};
     fmb_status st = FMB_OK;
     size_t next = 0;
     while (st == FMB_OK && next < n && !fmb_pair_is_cancelled(k)) {

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "pair/pair_contact.h"
+#include "pair/pair_portfolio.h"
 
 bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b)
 {

@@ -4,7 +4,7 @@
 
 #include "pair/kernels/minors_kernels.h"
 #include "pair/packed/set.h"
-#include "pair/pair_portfolio.h"
+#include "pair/pair_private.h"
 
 /* How kernels decide pairs of two kinds. */
 typedef struct fmb_packed_plan {
