@@ -2,9 +2,9 @@
 #include "pair/exact_box/exact_box_program.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "frame/frame_private.h"
+#include "num/split_double.h"
 
 /* Reads number i of a row. */
 typedef void fmb_exact_box_reader(const void *self, int frame, int i, int row, fmb_wide *out);
@@ -21,22 +21,17 @@ static int most_bits(int dim)
 
 /* ---- doubles --------------------------------------------------------------------------------- */
 
-/* |x| = m 2^e, m odd or 0. */
-static uint64_t split_into_odd_and_power(double x, int *e)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    uint64_t m = bits & ((UINT64_C(1) << 52) - 1);
-    int exponent = (int)(bits >> 52 & 0x7ff);
-    m |= (uint64_t)(exponent > 0) << 52;
-    int zeros = m == 0 ? 0 : __builtin_ctzll(m);
-    *e = (exponent > 0 ? exponent : 1) - 1075 + zeros;
-    return m >> zeros;
-}
+/* m 2^e; of 0 m is 0. */
+typedef struct split_double {
+    uint64_t m;
+    int e;
+    bool minus;
+} split_double;
 
 typedef struct double_pair {
     const fmb_frame *frame[2];
     int exponent[FMB_EXACT_BOX_DIM];
+    split_double part[2][FMB_EXACT_BOX_DIM + 2][FMB_EXACT_BOX_DIM]; /* SPEED, ORIGIN, axes */
 } double_pair;
 
 static double number_of_frame(const fmb_frame *f, int axis, int row)
@@ -48,19 +43,21 @@ static double number_of_frame(const fmb_frame *f, int axis, int row)
     return f->axes[axis * f->dim + row];
 }
 
-/* The least power of two in a row; false if its largest number is too large in terms of it. */
-static bool find_unit_of_row(double_pair *d, int row)
+/* Numbers of a row, and their least power of two; false if the largest is too large in terms of it.
+ */
+static bool split_row(double_pair *d, int row)
 {
     int least = INT32_MAX, most = INT32_MIN;
     for (int k = 0; k < 2; k++)
         for (int axis = SPEED; axis < d->frame[k]->naxes; axis++) {
-            double x = number_of_frame(d->frame[k], axis, row);
-            int low, high;
-            if (x == 0)
+            const double x = number_of_frame(d->frame[k], axis, row);
+            split_double *to = &d->part[k][axis - SPEED][row];
+            to->m = fmb_split_double(x, &to->e);
+            to->minus = x < 0;
+            if (to->m == 0)
                 continue;
-            uint64_t m = split_into_odd_and_power(x, &low);
-            high = low + 64 - __builtin_clzll(m);
-            least = low < least ? low : least;
+            const int high = to->e + 64 - __builtin_clzll(to->m);
+            least = to->e < least ? to->e : least;
             most = high > most ? high : most;
         }
     d->exponent[row] = least == INT32_MAX ? 0 : -least;
@@ -70,11 +67,14 @@ static bool find_unit_of_row(double_pair *d, int row)
 static void read_double(const void *self, int frame, int axis, int row, fmb_wide *out)
 {
     const double_pair *d = self;
-    double x = number_of_frame(d->frame[frame], axis, row);
-    int e;
-    fmb_wide_set_word(out, split_into_odd_and_power(x, &e));
-    out->minus = x < 0;
-    fmb_wide_shift(out, x == 0 ? 0 : e + d->exponent[row]);
+    const split_double *x = &d->part[frame][axis - SPEED][row];
+    const int by = x->m == 0 ? 0 : x->e + d->exponent[row];
+    fmb_wide_set_word(out, x->m);
+    out->minus = x->minus;
+    if (x->m != 0 && by <= __builtin_clzll(x->m))
+        out->word[0] <<= by;
+    else
+        fmb_wide_shift(out, by);
 }
 
 /* ---- rationals ------------------------------------------------------------------------------- */
@@ -424,10 +424,12 @@ static bool is_for_vertices(int dim, int naxes_p, int naxes_q)
 
 bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q)
 {
-    double_pair d = {.frame = {p, q}};
+    double_pair d;
+    d.frame[0] = p;
+    d.frame[1] = q;
     bool good = is_for_vertices(p->dim, p->naxes, q->naxes);
     for (int row = 0; good && row < p->dim; row++)
-        good = find_unit_of_row(&d, row);
+        good = split_row(&d, row);
     if (!good)
         return false;
     for (int row = 0; row < p->dim; row++)

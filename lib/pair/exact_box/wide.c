@@ -280,6 +280,8 @@ double fmb_wide_to_doubles(const fmb_wide *a, int scale, double *rest)
     if (exponent < -964 || exponent > 900)
         return copysign(exponent < 0 ? FMB_WIDE_LEAST : INFINITY, a->minus ? -1 : 1);
     double unit = copysign(power_of_two(exponent), a->minus ? -1 : 1);
+    if (n == 1 && a->word[0] >> 53 == 0)
+        return (double)(int64_t)a->word[0] * unit;
     lane2 x = split_word(a->word[n - 1]), sum = two_sum(x.hi, x.lo);
     if (n > 1) {
         lane2 y = split_word(a->word[n - 2]), middle = two_sum(x.lo, y.hi * 0x1p-64);
