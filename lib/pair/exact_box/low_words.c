@@ -1,6 +1,8 @@
 /* low_words.c: see low_words.h. */
 #include "pair/exact_box/low_words.h"
 
+#include "num/laplace.h"
+
 #define DIM FMB_EXACT_BOX_DIM
 
 /* ---- entries --------------------------------------------------------------------------------- */
@@ -11,21 +13,19 @@ static fmb_u128 low_of(const fmb_wide *a)
     return a->minus ? fmb_u128_minus(fmb_u128_of(0), size) : size;
 }
 
-/* Columns of P, and behind them the rest, row by row. */
-static void list_entries(const fmb_exact_box_program *s, const int *basic, const int *reference,
-                         const bool *is_one, fmb_u128 (*a)[DIM + 1])
+/* A row of P, and of the rest behind it. */
+static void list_row(const fmb_exact_box_program *s, const int *basic, const int *reference,
+                     const bool *is_one, int row, fmb_u128 *a)
 {
-    for (int row = 0; row < s->dim; row++) {
-        for (int k = 0; k < s->dim; k++) {
-            a[row][k] = low_of(&s->m[basic[k]].whole[row]);
-            if (reference[k] >= 0)
-                a[row][k] = fmb_u128_minus(a[row][k], low_of(&s->m[reference[k]].whole[row]));
-        }
-        a[row][s->dim] = low_of(&s->h.whole[row]);
-        for (int j = 0; j < s->columns; j++)
-            if (is_one[j])
-                a[row][s->dim] = fmb_u128_minus(a[row][s->dim], low_of(&s->m[j].whole[row]));
+    for (int k = 0; k < s->dim; k++) {
+        a[k] = low_of(&s->m[basic[k]].whole[row]);
+        if (reference[k] >= 0)
+            a[k] = fmb_u128_minus(a[k], low_of(&s->m[reference[k]].whole[row]));
     }
+    a[s->dim] = low_of(&s->h.whole[row]);
+    for (int j = 0; j < s->columns; j++)
+        if (is_one[j])
+            a[s->dim] = fmb_u128_minus(a[s->dim], low_of(&s->m[j].whole[row]));
 }
 
 /* At least |det P|, by Hadamard: the product of the lengths of its columns, each scaled entry being
@@ -51,36 +51,18 @@ static double bound_det(const fmb_exact_box_program *s, const int *basic, const 
 
 /* ---- minors ---------------------------------------------------------------------------------- */
 
-enum { SETS = 1 << (DIM + 1) };
-
-/* minor[set]: of the columns in `set` and as many of the first rows, by the last of these. */
-static void find_minors(int n, const fmb_u128 (*a)[DIM + 1], fmb_u128 *minor)
-{
-    unsigned char size[SETS] = {0};
-    minor[0] = fmb_u128_of(1);
-    for (unsigned set = 1; set + 1 < 2U << n; set++) {
-        const int row = size[set & (set - 1)];
-        bool minus = row % 2 == 1;
-        fmb_u128 sum = fmb_u128_of(0);
-        size[set] = (unsigned char)(row + 1);
-        for (unsigned left = set; left; left &= left - 1, minus = !minus) {
-            const int j = __builtin_ctz(left);
-            const fmb_u128 term = fmb_u128_times(a[row][j], minor[set & ~(1U << j)]);
-            sum = minus ? fmb_u128_minus(sum, term) : fmb_u128_plus(sum, term);
-        }
-        minor[set] = sum;
-    }
-}
-
 /* The rest stands behind the columns, not in the place of that of x_k. */
 void fmb_exact_box_find_low(const fmb_exact_box_program *s, const int *basic, const int *reference,
                             const bool *is_one, fmb_exact_box_low *out)
 {
-    fmb_u128 a[DIM][DIM + 1], minor[SETS];
+    fmb_u128 a[DIM + 1], minor[1 << (DIM + 1)];
     const int n = s->dim;
     const unsigned all = (2U << n) - 1;
-    list_entries(s, basic, reference, is_one, a);
-    find_minors(n, (const fmb_u128(*)[DIM + 1]) a, minor);
+    minor[0] = fmb_u128_of(1);
+    for (int row = 0; row < n; row++) {
+        list_row(s, basic, reference, is_one, row, a);
+        fmb_words_take_vector(2, n + 1, row, a, minor);
+    }
     out->most = bound_det(s, basic, reference);
     out->det = minor[all >> 1];
     for (int k = 0; k < n; k++) {

@@ -5,7 +5,7 @@
  *
  *     0            origin, D           D (D + 1)    speed, D, of a still frame 0
  *     D            axes, D D           D (D + 2)    inverse, D D, row by row
- *     2 D (D + 1)  reach, D            D (2 D + 3)  size, whole, grain
+ *     2 D (D + 1)  reach, D            D (2 D + 3)  size, whole, grain, units
  *
  * and zeros up to a multiple of eight numbers. inverse, times a point less the origin, is how far
  * along each axis the point is; reach bounds the sum of the absolute values of a row of it, size
@@ -13,6 +13,8 @@
  */
 #ifndef FMB_PAIR_KERNELS_MINORS_KERNELS_H
 #define FMB_PAIR_KERNELS_MINORS_KERNELS_H
+
+#include <math.h>
 
 #include "pair/kernels/packed_kernels.h"
 
@@ -26,7 +28,19 @@ static inline bool fmb_minors_is_dim(int dim)
 /* Numbers of a record. */
 static inline int fmb_minors_record(int dim)
 {
-    return (2 * dim * dim + 3 * dim + 3 + 7) / 8 * 8;
+    return (2 * dim * dim + 3 * dim + 4 + 7) / 8 * 8;
+}
+
+/* The exponents of two powers of two: of that of which all axes and the speed are multiples, and of
+ * the origin's. */
+static inline double fmb_minors_join_units(int axes, int origin)
+{
+    return 8192.0 * axes + origin;
+}
+static inline void fmb_minors_split_units(double both, int *axes, int *origin)
+{
+    *axes = (int)floor(both / 8192 + 0.5);
+    *origin = (int)(both - 8192.0 * *axes);
 }
 
 /* Numbers of the room for the minors of two views that the next level wants. With n columns and

@@ -17,9 +17,11 @@
 
 #include "pair/packed/inverse.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
+#include "num/split_double.h"
 #include "pair/kernels/lane/double_double.h"
 #include "pair/kernels/minors_kernels.h"
 
@@ -181,6 +183,28 @@ static void write_whole(const fmb_frame *f, const square *a, const square *v, do
     out[1] = out[0] > 0 ? grain : 0;
 }
 
+/* The exponent of the lowest bit that is set in any of these; `none` where all are 0. */
+static int find_lowest_bit(const double *x, int n, int none)
+{
+    int low = INT_MAX;
+    for (int i = 0; i < n; i++) {
+        int e;
+        if (fmb_split_double(x[i], &e) != 0 && e < low)
+            low = e;
+    }
+    return low < INT_MAX ? low : none;
+}
+
+/* Units of axes and speed, and of the origin. */
+static double find_units(const fmb_frame *f)
+{
+    const int high = 1024;
+    int axes = find_lowest_bit(f->axes, f->dim * f->dim, high);
+    const int speed = f->speed ? find_lowest_bit(f->speed, f->dim, high) : high;
+    axes = speed < axes ? speed : axes;
+    return fmb_minors_join_units(axes, find_lowest_bit(f->origin, f->dim, axes));
+}
+
 /* ---- records --------------------------------------------------------------------------------- */
 
 static double largest_number(const double *x, int n)
@@ -228,5 +252,6 @@ bool fmb_inverse_record(const fmb_frame *f, double *record)
     write_inverse(&v, power, record + dim * (dim + 2), record + 2 * dim * (dim + 1));
     record[dim * (2 * dim + 3)] = size;
     write_whole(f, &a, &v, det, power, record + dim * (2 * dim + 3) + 1);
+    record[dim * (2 * dim + 3) + 3] = find_units(f);
     return true;
 }

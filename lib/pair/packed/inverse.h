@@ -9,7 +9,8 @@
  *
  * and no number of the frame is greater than 2^300. Either whole and grain are 0, or grain is a
  * power of two of which all numbers of the frame are multiples; whole V and whole / grain are
- * whole, too.
+ * whole, too. The two units are the largest powers of two of which all axes and the speed, and the
+ * origin, are multiples.
  */
 #ifndef FMB_PAIR_INVERSE_H
 #define FMB_PAIR_INVERSE_H

@@ -209,9 +209,10 @@ static void count_minors(int dim, int what)
     }
     const minors_kind d = minors_kind_of(dim, what);
     minors_said said = minors_silent();
-    (void)minors_ask(d, MINORS_AT_0, record[0], record[1], (double *)room, &said);
+    const minors_asked at[2] = {{MINORS_AT_0, 0, nullptr}, {MINORS_AT_1, 0, nullptr}};
+    (void)minors_ask(d, &at[0], record[0], record[1], (double *)room, &said);
     if (moves && simplices)
-        (void)minors_ask(d, MINORS_AT_1, record[0], record[1], (double *)room, &said);
+        (void)minors_ask(d, &at[1], record[0], record[1], (double *)room, &said);
     if (!simplices)
         count_point(minors_side(d, 0), record[0], record[1], {size, 0});
 }

@@ -32,32 +32,36 @@
 #include "pair/kernels/minors/minors_point.h"
 #include "pair/kernels/minors/minors_signs.h"
 #include "pair/kernels/minors/minors_whole.h"
+#include "pair/kernels/open_rows.h"
 
-/* The faces of the one that is looked from; sizes of entries. */
+/* The gap of a face of the one that is looked from; sizes of entries. */
+FMB_INLINE lane minors_face(minors_kind d, minors_view *v, int r)
+{
+    lane reach = v->unit, away = v->center[r], most = lane_of(1);
+#pragma GCC unroll 8
+    for (int j = d.from_cuboid ? d.dim : 0; j < d.n; j++) {
+        const lane size = lane_abs(v->e[r * d.n + j]);
+        reach = reach + size;
+        if (d.from_simplex)
+            most = lane_max(most, size);
+        else
+            v->size[r * d.n + j] = size;
+    }
+    if (d.from_simplex) {
+        v->size[r] = lane_max(most, lane_abs(away) * lane_of(1.0 / (d.n + 3)));
+        away = away - v->unit;
+    }
+    if (d.from_cuboid) {
+        const minors_span corners = minors_span_of_corners(d, v->e + r * d.n);
+        reach = reach + (corners.most - corners.least);
+    }
+    return lane_abs(away) - reach;
+}
 FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
 {
     const lane error = lane_of(minors_error(d, 0) * 0x1p-53);
-    for (int r = 0; r < minors_count_rows(d); r++) {
-        lane reach = v->unit, away = v->center[r], most = lane_of(1);
-#pragma GCC unroll 8
-        for (int j = d.from_cuboid ? d.dim : 0; j < d.n; j++) {
-            const lane size = lane_abs(v->e[r * d.n + j]);
-            reach = reach + size;
-            if (d.from_simplex)
-                most = lane_max(most, size);
-            else
-                v->size[r * d.n + j] = size;
-        }
-        if (d.from_simplex) {
-            v->size[r] = lane_max(most, lane_abs(away) * lane_of(1.0 / (d.n + 3)));
-            away = away - v->unit;
-        }
-        if (d.from_cuboid) {
-            const minors_span corners = minors_span_of_corners(d, v->e + r * d.n);
-            reach = reach + (corners.most - corners.least);
-        }
-        minors_hear(said, lane_abs(away) - reach, error * v->g[r]);
-    }
+    for (int r = 0; r < minors_count_rows(d); r++)
+        minors_hear(said, minors_face(d, v, r), error * v->g[r]);
 }
 
 /* The absolute value of a minor that was made, and of one of the level before: that of an entry is
@@ -72,9 +76,31 @@ FMB_INLINE lane minors_size_less(minors_kind d, const minors_view *v, int k,
     return k == 1 ? v->size[rows->row[k - i] * d.n + s] : lane_abs(rows->less[i][s]);
 }
 
-/* The largest gap of these rows. */
+/* The gap of the row of these coordinates and of columns s; `factor`: the center in them. */
 FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_part part,
-                           const minors_rows *rows, const lane *made)
+                           const minors_rows *rows, const lane *factor, const lane *made, int s)
+{
+    lane away = minors_expand(k, factor, rows->less, s), wide;
+    lane reach = minors_size(part, made, minors_with(k, s, 0));
+    if (d.from_simplex) {
+        const minors_span span = minors_span_of_row(k, rows, s);
+        away = lane_fnma(span.most + span.least, v->unit, away);
+        wide = span.most - span.least;
+    } else {
+        wide = minors_size_less(d, v, k, rows, 0, s);
+#pragma GCC unroll 4
+        for (int i = 1; i <= k; i++)
+            wide = wide + minors_size_less(d, v, k, rows, i, s);
+    }
+#pragma GCC unroll 8
+    for (int j = 1; j < d.n - k; j++)
+        reach = reach + minors_size(part, made, minors_with(k, s, j));
+    return lane_abs(away) - lane_fma(wide, v->unit, reach);
+}
+
+/* The largest gap of these rows. */
+FMB_INLINE lane minors_largest_gap(minors_kind d, const minors_view *v, int k, minors_part part,
+                                   const minors_rows *rows, const lane *made)
 {
     const int first = part == MINORS_DRIFTED ? fmb_minors_choose(d.n - 1, k) : 0;
     lane most = lane_of(-INFINITY), factor[5];
@@ -82,24 +108,8 @@ FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_pa
     for (int i = 0; i <= k; i++)
         factor[i] = v->center[rows->row[i]];
     MINORS_UNROLL
-    for (int s = first; s < fmb_minors_choose(d.n, k); s++) {
-        lane away = minors_expand(k, factor, rows->less, s), wide;
-        lane reach = minors_size(part, made, minors_with(k, s, 0));
-        if (d.from_simplex) {
-            const minors_span span = minors_span_of_row(k, rows, s);
-            away = lane_fnma(span.most + span.least, v->unit, away);
-            wide = span.most - span.least;
-        } else {
-            wide = minors_size_less(d, v, k, rows, 0, s);
-#pragma GCC unroll 4
-            for (int i = 1; i <= k; i++)
-                wide = wide + minors_size_less(d, v, k, rows, i, s);
-        }
-#pragma GCC unroll 8
-        for (int j = 1; j < d.n - k; j++)
-            reach = reach + minors_size(part, made, minors_with(k, s, j));
-        most = lane_max(most, lane_abs(away) - lane_fma(wide, v->unit, reach));
-    }
+    for (int s = first; s < fmb_minors_choose(d.n, k); s++)
+        most = lane_max(most, minors_gap(d, v, k, part, rows, factor, made, s));
     return most;
 }
 
@@ -117,7 +127,7 @@ FMB_INLINE void minors_hear_rows(minors_kind d, const minors_view *v, int k, min
     }
     minors_make(d, v, k, part, &rows, to);
     lane error = lane_of(minors_error(d, k) * 0x1p-53) * rows.g;
-    minors_hear(said, minors_gap(d, v, k, part, &rows, to), error);
+    minors_hear(said, minors_largest_gap(d, v, k, part, &rows, to), error);
 }
 
 /* The rows of k columns. True: all lanes are apart. Of four columns nothing of the loop is left,
@@ -241,17 +251,116 @@ FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said
     }
 }
 
+/* ---- open rows ------------------------------------------------------------------------------- */
+
+/* A row that is open in some lanes goes to the list. It speaks of the coordinates `set` in the view
+ * of a side, so it is perpendicular to its other edges, and to the columns of the other side. */
+FMB_INLINE void minors_note_row(minors_kind d, int side, unsigned set, unsigned columns, lane gap,
+                                lane error, fmb_open_rows *out)
+{
+    const unsigned lanes = out->wanted & ~lane_bits(lane_less(gap + error, lane_of(0)));
+    const unsigned all = (1U << d.dim) - 1, own = all & ~set, other = columns & all;
+    const unsigned edges = side == 0 ? own | other << d.dim : other | own << d.dim;
+    if (out->n == FMB_OPEN_ROWS_MOST)
+        out->full |= lanes;
+    else if (lanes)
+        out->row[out->n++] =
+            (fmb_open_row){edges | columns >> d.dim << 2 * d.dim, side == 1, (uint8_t)lanes};
+}
+
+/* sum (-1)^i factor[i] from[i][s], in a loop. */
+static lane minors_list_sum(int k, const lane *factor, const lane *const *from, int s)
+{
+    lane sum = lane_of(0);
+    for (int i = 0; i <= k; i++)
+        sum = lane_fma(lane_of(i % 2 ? -1 : 1) * factor[i], from[i][s], sum);
+    return sum;
+}
+
+/* What minors_make makes of all columns. */
+FMB_INLINE void minors_list_make(minors_kind d, const minors_view *v, int k,
+                                 const minors_rows *rows, lane *to)
+{
+    for (int j = k; j < d.n; j++) {
+        lane factor[5];
+        for (int i = 0; i <= k; i++)
+            factor[i] = v->e[rows->row[i] * d.n + j];
+        for (int s = 0; s < fmb_minors_choose(j, k); s++)
+            to[fmb_minors_choose(j, k + 1) + s] = minors_list_sum(k, factor, rows->less, s);
+    }
+}
+
+/* The gap of columns s: what minors_gap says. */
+FMB_INLINE lane minors_list_gap(minors_kind d, const minors_view *v, int k, const minors_rows *rows,
+                                const lane *made, int s)
+{
+    lane factor[5], reach = lane_of(0);
+    for (int i = 0; i <= k; i++) {
+        factor[i] = v->center[rows->row[i]];
+        reach = reach + lane_abs(rows->less[i][s]);
+    }
+    for (int j = 0; j < d.n - k; j++)
+        reach = reach + lane_abs(made[minors_with(k, s, j)]);
+    return lane_abs(minors_list_sum(k, factor, rows->less, s)) - reach;
+}
+
+/* Of k columns of a side. Few pairs get here: not in the kernels, and once for all dimensions. */
+static FMB_NEVER_CLONED void minors_list_level(int dim, bool moves, int side, minors_view *v, int k,
+                                               fmb_open_rows *out)
+{
+    const minors_kind d = minors_kind_of(dim, moves);
+    const minors_part part = minors_part_of(d, side, k);
+    const int kept = part == MINORS_KEPT ? minors_stride(d, k + 1) : 0;
+    const lane error = lane_of(minors_error(d, k) * 0x1p-53);
+    lane *made = v->to;
+    for (unsigned set = (2U << k) - 1; set < 1U << d.dim; set = minors_next_set(set)) {
+        minors_rows rows;
+        lane own[75], *to = kept ? made : own;
+        minors_find_rows(d, v, k, set, &rows);
+        minors_list_make(d, v, k, &rows, to);
+        unsigned columns = (1U << k) - 1;
+        for (int s = 0; columns < 1U << d.n; s++, columns = minors_next_set(columns))
+            if (part != MINORS_DRIFTED || columns >> d.dim)
+                minors_note_row(d, side, set, columns, minors_list_gap(d, v, k, &rows, to, s),
+                                error * rows.g, out);
+        made += kept;
+    }
+    v->from = v->to;
+    v->to = made;
+}
+
+/* All rows of two cuboids. */
+static FMB_NEVER_CLONED void minors_list_rows(int dim, bool moves, minors_view v[2],
+                                              fmb_open_rows *out)
+{
+    const minors_kind d = minors_kind_of(dim, moves);
+    const lane error = lane_of(minors_error(d, 0) * 0x1p-53);
+    for (int side = 0; side < 2; side++) {
+        for (int r = 0; r < d.dim; r++)
+            minors_note_row(d, side, 1U << r, 0, minors_face(d, &v[side], r), error * v[side].g[r],
+                            out);
+        for (int k = 1; k <= (d.n - 1 - side) / 2; k++)
+            minors_list_level(dim, moves, side, &v[side], k, out);
+    }
+}
+
 /* What is asked. */
-typedef enum minors_asked {
+typedef enum minors_how {
     MINORS_AT_0, /* what rows say; of moving simplices as at t = 0 */
     MINORS_AT_1,
     MINORS_WHOLE, /* the same of lanes that are whole numbers, else nothing */
-    MINORS_POINT  /* is there a point in both? */
+    MINORS_POINT, /* is there a point in both? */
+    MINORS_OPEN   /* which rows are open? */
+} minors_how;
+typedef struct minors_asked {
+    minors_how how;
+    unsigned lanes;      /* those that matter, of a point */
+    fmb_open_rows *rows; /* what rows are open goes there */
 } minors_asked;
 
 /* One of two from a side, in a room of its own. What faces say. Of one of each the view from the
  * simplex alone goes on from there, and has all the room. */
-FMB_INLINE void minors_see(minors_kind d, minors_asked how, const lane *from, const lane *to,
+FMB_INLINE void minors_see(minors_kind d, minors_how how, const lane *from, const lane *to,
                            lane *room, minors_view *v, minors_said *said)
 {
     const int speed = d.dim * (d.dim + 1), size = d.dim * (2 * d.dim + 3);
@@ -280,7 +389,7 @@ FMB_INLINE void minors_see(minors_kind d, minors_asked how, const lane *from, co
 }
 
 /* Nothing more is to be asked of these lanes: all are apart, or none is known. */
-FMB_INLINE bool minors_is_over(minors_kind d, minors_asked how, const minors_said *said)
+FMB_INLINE bool minors_is_over(minors_kind d, minors_how how, const minors_said *said)
 {
     return minors_all_apart(said) ||
            (!d.simplices && how == MINORS_WHOLE && !lane_bits(said->known));
@@ -288,18 +397,22 @@ FMB_INLINE bool minors_is_over(minors_kind d, minors_asked how, const minors_sai
 
 /* Lanes of records a and b; room as in minors_kernels.h. Lanes that a point proves to meet, if that
  * is asked. */
-FMB_INLINE unsigned minors_ask(minors_kind d, minors_asked how, const lane *a, const lane *b,
+FMB_INLINE unsigned minors_ask(minors_kind d, const minors_asked *x, const lane *a, const lane *b,
                                double *room, minors_said *out)
 {
     const size_t half = fmb_minors_room(d.dim) / FMB_BLOCK_MOST_LANES / 2;
     minors_view v[2];
     minors_said said = {out->apart, out->meet, out->known};
-    minors_see(minors_side(d, 0), how, a, b, (lane *)room, &v[0], &said);
-    if (how == MINORS_POINT)
-        return minors_find_point(d, &v[0]);
-    if (!minors_is_over(d, how, &said))
-        minors_see(minors_side(d, 1), how, b, a, (lane *)room + half, &v[1], &said);
-    if (!minors_is_over(d, how, &said)) {
+    minors_see(minors_side(d, 0), x->how, a, b, (lane *)room, &v[0], &said);
+    if (x->how == MINORS_POINT)
+        return minors_find_point(d, &v[0], x->lanes);
+    if (!minors_is_over(d, x->how, &said))
+        minors_see(minors_side(d, 1), x->how, b, a, (lane *)room + half, &v[1], &said);
+    if (!d.simplices && !d.from_simplex && x->how == MINORS_OPEN) {
+        minors_list_rows(d.dim, d.moves, v, x->rows);
+        return 0;
+    }
+    if (!minors_is_over(d, x->how, &said)) {
         if (d.from_simplex)
             minors_levels_from_simplex(d, &v[0], &said);
         else

@@ -12,10 +12,10 @@ enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
 /* Each kernel once. Of one of each records come with the cuboid first. */
 #define MINORS_ASK(dim, what)                                                                      \
     static FMB_NEVER_CLONED unsigned minors_ask_##dim##what(                                       \
-        minors_asked how, const lane *a, const lane *b, double *room, minors_said *said)           \
+        const minors_asked *x, const lane *a, const lane *b, double *room, minors_said *said)      \
     {                                                                                              \
         const minors_kind d = minors_kind_of((dim), (what));                                       \
-        return minors_ask(d, how, d.from_simplex ? b : a, d.from_simplex ? a : b, room, said);     \
+        return minors_ask(d, x, d.from_simplex ? b : a, d.from_simplex ? a : b, room, said);       \
     }
 MINORS_ASK(4, 0)
 MINORS_ASK(5, 0)
@@ -38,7 +38,7 @@ MINORS_ASK(6, 4)
 MINORS_ASK(4, 5)
 MINORS_ASK(5, 5)
 
-typedef unsigned minors_asker(minors_asked how, const lane *a, const lane *b, double *room,
+typedef unsigned minors_asker(const minors_asked *x, const lane *a, const lane *b, double *room,
                               minors_said *said);
 static minors_asker *const MINORS_ASKERS[FMB_MINORS_WHATS][FMB_MINORS_DIMS] = {
     {minors_ask_40, minors_ask_50, minors_ask_60, minors_ask_70, minors_ask_80},
@@ -48,38 +48,85 @@ static minors_asker *const MINORS_ASKERS[FMB_MINORS_WHATS][FMB_MINORS_DIMS] = {
     {minors_ask_44, minors_ask_54, minors_ask_64, NULL, NULL},
     {minors_ask_45, minors_ask_55, NULL, NULL, NULL}};
 
-/* Of lanes that rows leave open. */
-static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(minors_asker *ask, bool whole,
-                                                         const lane *a, const lane *b, double *room,
-                                                         unsigned open)
+/* Are both frames of some of these lanes whole numbers of few bits? `size`: behind it stands that.
+ */
+FMB_INLINE unsigned minors_are_whole(const lane *a, const lane *b, int size)
+{
+    return lane_bits(lane_less(lane_of(0), lane_min(a[size + 2], b[size + 2])));
+}
+
+/* Of lanes that rows leave open these rows in whole numbers, where these are short. */
+static fmb_pair_bits minors_decide_rows(int dim, fmb_minors_what what, bool closed, const lane *a,
+                                        const lane *b, double *room, unsigned open)
 {
     fmb_pair_bits bits = {0, 0};
     minors_said said = minors_silent();
-    if (whole) {
-        ask(MINORS_WHOLE, a, b, room, &said);
+    fmb_open_rows rows;
+    int words[FMB_LANES];
+    rows.dim = dim;
+    rows.width = FMB_LANES;
+    rows.moves = what % 2 == 1;
+    rows.closed = closed;
+    rows.record[0] = (const double *)a;
+    rows.record[1] = (const double *)b;
+    rows.wanted = rows.full = 0;
+    rows.n = 0;
+    for (unsigned left = open; left; left &= left - 1) {
+        const unsigned l = (unsigned)__builtin_ctz(left);
+        words[l] = fmb_open_rows_words(&rows, l);
+        rows.wanted |= (unsigned)(words[l] > 0) << l;
+    }
+    if (rows.wanted)
+        MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM](&(minors_asked){MINORS_OPEN, 0, &rows}, a,
+                                                        b, room, &said);
+    for (unsigned left = rows.wanted; left; left &= left - 1) {
+        const unsigned l = (unsigned)__builtin_ctz(left);
+        const fmb_verdict is = fmb_open_rows_decide(&rows, l, words[l]);
+        bits.apart |= (unsigned)(is == FMB_INFEASIBLE) << l;
+        bits.meet |= (unsigned)(is == FMB_FEASIBLE) << l;
+    }
+    return bits;
+}
+
+/* Lanes that rows leave open. Rows in whole numbers are asked of cuboids in four and five
+ * dimensions: elsewhere they are so many that a vertex is found sooner. */
+static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(int dim, fmb_minors_what what, bool closed,
+                                                         const lane *a, const lane *b, double *room,
+                                                         unsigned open)
+{
+    minors_asker *ask = MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM];
+    fmb_pair_bits bits = {0, 0}, more = {0, 0};
+    minors_said said = minors_silent();
+    if (closed && what / 2 != 1 && minors_are_whole(a, b, dim * (2 * dim + 3)) & open) {
+        ask(&(minors_asked){MINORS_WHOLE, 0, NULL}, a, b, room, &said);
         said.meet = said.meet - lane_of(1);
         bits = minors_bits(&said);
         bits.apart &= open;
         bits.meet &= open;
+        open &= ~(bits.apart | bits.meet);
     }
-    if (open & ~(bits.apart | bits.meet))
-        bits.meet |= open & ~bits.apart & ask(MINORS_POINT, a, b, room, &said);
-    return bits;
+    if (open && what < FMB_MINORS_SIMPLICES && dim <= 5)
+        more = minors_decide_rows(dim, what, closed, a, b, room, open);
+    open &= ~(more.apart | more.meet);
+    if (open)
+        more.meet |= open & ask(&(minors_asked){MINORS_POINT, open, NULL}, a, b, room, &said);
+    return (fmb_pair_bits){bits.apart | more.apart, bits.meet | more.meet};
 }
 
+/* The first n lanes are pairs, others repeat one of these. */
 static fmb_pair_bits minors_answer(int dim, fmb_minors_what what, bool closed, const lane *a,
-                                   const lane *b, double *room)
+                                   const lane *b, double *room, size_t n)
 {
+    const unsigned asked = n < FMB_LANES ? (1U << n) - 1 : (1U << FMB_LANES) - 1;
     minors_asker *ask = MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM];
     minors_said said = minors_silent();
-    ask(MINORS_AT_0, a, b, room, &said);
+    ask(&(minors_asked){MINORS_AT_0, 0, NULL}, a, b, room, &said);
     if (what == FMB_MINORS_MOVING_SIMPLICES && !minors_all_apart(&said))
-        ask(MINORS_AT_1, a, b, room, &said);
+        ask(&(minors_asked){MINORS_AT_1, 0, NULL}, a, b, room, &said);
     fmb_pair_bits bits = minors_bits(&said);
-    const unsigned open = lane_bits(said.known) & ~(bits.apart | bits.meet);
+    const unsigned open = asked & lane_bits(said.known) & ~(bits.apart | bits.meet);
     if (open) {
-        const bool whole = closed && what / 2 != 1;
-        const fmb_pair_bits more = minors_decide_open(ask, whole, a, b, room, open);
+        const fmb_pair_bits more = minors_decide_open(dim, what, closed, a, b, room, open);
         bits.apart |= more.apart;
         bits.meet |= more.meet;
     }
@@ -121,7 +168,8 @@ static void minors_row(int dim, fmb_minors_what what, const fmb_packed_row *x, d
         for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
             const lane *side[2] = {one, (const lane *)tiles};
             fmb_pair_bits some =
-                minors_answer(dim, what, x->closed, side[x->swapped], side[!x->swapped], room);
+                minors_answer(dim, what, x->closed, side[x->swapped], side[!x->swapped], room,
+                              x->n > 8 * g + l ? x->n - 8 * g - l : 0);
             out[g].apart = (uint8_t)(out[g].apart | some.apart << l);
             out[g].meet = (uint8_t)(out[g].meet | some.meet << l);
         }
@@ -142,7 +190,7 @@ static bool minors_pairs(int dim, fmb_minors_what what, const fmb_packed_pairs *
                           (size_t)rows * x->index[s][2 * (i + l < x->n ? i + l : x->n - 1)];
             minors_pack(rows, from, side[s]);
         }
-        fmb_pair_bits bits = minors_answer(dim, what, x->closed, side[0], side[1], room);
+        fmb_pair_bits bits = minors_answer(dim, what, x->closed, side[0], side[1], room, x->n - i);
         for (size_t l = 0; l < FMB_LANES && i + l < x->n; l++) {
             out[i + l] = bits.apart >> l & 1  ? FMB_INFEASIBLE
                          : bits.meet >> l & 1 ? FMB_FEASIBLE

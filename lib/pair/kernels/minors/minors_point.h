@@ -103,14 +103,15 @@ FMB_INLINE unsigned minors_check_point(minors_kind d, const minors_view *v, cons
     return minors_bits(&inside).meet;
 }
 
-/* Lanes where a point proves that they meet. Few pairs get here: not in the kernels, and once for
- * all dimensions. */
-static FMB_NEVER_CLONED unsigned minors_find_point(minors_kind d, const minors_view *v)
+/* Lanes where a point proves that they meet; wanted: those that are asked. Few pairs get here: not
+ * in the kernels, and once for all dimensions. */
+static FMB_NEVER_CLONED unsigned minors_find_point(minors_kind d, const minors_view *v,
+                                                   unsigned wanted)
 {
     minors_point p;
     unsigned found = 0;
     minors_begin_point(d, v, &p);
-    for (int i = 0; i < MINORS_SWEEPS; i++) {
+    for (int i = 0; i < MINORS_SWEEPS && wanted & ~found; i++) {
         minors_sweep(d, v, &p);
         found |= minors_check_point(d, v, &p);
     }

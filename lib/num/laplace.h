@@ -1,0 +1,69 @@
+/* laplace.h: minors of whole numbers, of which the lowest bits are enough: all is modulo 2^64 (one
+ * word) or 2^128 (two), in two's complement. Of one word the upper half means nothing.
+ */
+#ifndef FMB_NUM_LAPLACE_H
+#define FMB_NUM_LAPLACE_H
+
+#include "num/int128.h"
+
+#define FMB_WORDS_INLINE static inline __attribute__((always_inline, unused))
+
+FMB_WORDS_INLINE fmb_u128 fmb_words_of(int64_t x)
+{
+    return fmb_u128_join(x < 0 ? UINT64_MAX : 0, (uint64_t)x);
+}
+
+FMB_WORDS_INLINE bool fmb_words_are_negative(int words, fmb_u128 a)
+{
+    return (words == 1 ? fmb_u128_low(a) : fmb_u128_high(a)) >> 63;
+}
+
+FMB_WORDS_INLINE bool fmb_words_are_zero(int words, fmb_u128 a)
+{
+    return (fmb_u128_low(a) | (words == 1 ? 0 : fmb_u128_high(a))) == 0;
+}
+
+FMB_WORDS_INLINE fmb_u128 fmb_words_plus(int words, fmb_u128 a, fmb_u128 b)
+{
+    return words == 1 ? fmb_u128_of(fmb_u128_low(a) + fmb_u128_low(b)) : fmb_u128_plus(a, b);
+}
+
+FMB_WORDS_INLINE fmb_u128 fmb_words_minus(int words, fmb_u128 a, fmb_u128 b)
+{
+    return words == 1 ? fmb_u128_of(fmb_u128_low(a) - fmb_u128_low(b)) : fmb_u128_minus(a, b);
+}
+
+FMB_WORDS_INLINE fmb_u128 fmb_words_times(int words, fmb_u128 a, fmb_u128 b)
+{
+    return words == 1 ? fmb_u128_of(fmb_u128_low(a) * fmb_u128_low(b)) : fmb_u128_times(a, b);
+}
+
+FMB_WORDS_INLINE fmb_u128 fmb_words_size(int words, fmb_u128 a)
+{
+    return fmb_words_are_negative(words, a) ? fmb_words_minus(words, fmb_u128_of(0), a) : a;
+}
+
+/* From minor[set] of `rows` vectors, of all sets of so many of n coordinates, those of one vector
+ * more: by Laplace, with its numbers in the last row. Are all 0? */
+FMB_WORDS_INLINE bool fmb_words_take_vector(int words, int n, int rows, const fmb_u128 *vector,
+                                            fmb_u128 *minor)
+{
+    bool any = false;
+    for (unsigned set = (2U << rows) - 1; set < 1U << n;) {
+        fmb_u128 sum[2] = {fmb_u128_of(0), fmb_u128_of(0)};
+        unsigned left = set;
+#pragma GCC unroll 8
+        for (int i = rows; i >= 0; i--, left &= left - 1) {
+            const int j = __builtin_ctz(left);
+            const fmb_u128 less = minor[set & ~(1U << j)];
+            sum[i % 2] = fmb_words_plus(words, sum[i % 2], fmb_words_times(words, vector[j], less));
+        }
+        minor[set] = fmb_words_minus(words, sum[0], sum[1]);
+        any |= !fmb_words_are_zero(words, minor[set]);
+        const unsigned low = set & -set, carry = set + low;
+        set = carry | (set ^ carry) >> (2 + __builtin_ctz(low));
+    }
+    return !any;
+}
+
+#endif
