@@ -6,6 +6,7 @@
 #include "frame/frame_private.h"
 #include "num/rationals.h"
 #include "pair/exact_box/exact_box.h"
+#include "pair/exact_box/exact_box_program.h"
 #include "proximity/proximity_private.h"
 #include "solve/query/solver.h"
 #include "system/system_private.h"
@@ -160,6 +161,8 @@ fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const 
 bool fmb_pair_oracle_answer_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                         const fmb_pair_answers *out)
 {
+    if (!fmb_exact_box_is_for(p->dim, p->naxes, q->naxes))
+        return false;
     fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
     const fmb_poll poll = fmb_run_asked(&x->run);
     fmb_exact_boxer *b = fmb_long_boxer_new(&x->mem, &poll);
@@ -173,6 +176,9 @@ bool fmb_pair_oracle_answer_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, 
 bool fmb_pair_oracle_decide_at_vertices(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                         fmb_verdict *out)
 {
+    *out = FMB_UNKNOWN;
+    if (!fmb_exact_box_is_for(p->dim, p->naxes, q->naxes))
+        return false;
     fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
     const fmb_poll poll = fmb_run_asked(&x->run);
     fmb_exact_boxer *b = fmb_long_boxer_new(&x->mem, &poll);

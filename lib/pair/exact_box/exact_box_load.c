@@ -417,17 +417,12 @@ static void load_both(fmb_exact_box_program *s, const body *p, const body *q,
     find_doubles(s, &by);
 }
 
-static bool is_for_vertices(int dim, int naxes_p, int naxes_q)
-{
-    return dim <= FMB_EXACT_BOX_DIM && naxes_p <= dim && naxes_q <= dim;
-}
-
 bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q)
 {
     double_pair d;
     d.frame[0] = p;
     d.frame[1] = q;
-    bool good = is_for_vertices(p->dim, p->naxes, q->naxes);
+    bool good = fmb_exact_box_is_for(p->dim, p->naxes, q->naxes);
     for (int row = 0; good && row < p->dim; row++)
         good = split_row(&d, row);
     if (!good)
@@ -444,7 +439,7 @@ bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const 
 {
     mpz_t whole;
     rational_pair d = {.frame = {p, q}, .unit = unit, .whole = &whole};
-    bool good = is_for_vertices(p->dim, p->naxes, q->naxes);
+    bool good = fmb_exact_box_is_for(p->dim, p->naxes, q->naxes);
     for (int row = 0; good && row < p->dim; row++)
         good = find_rational_unit(&d, row);
     if (!good)

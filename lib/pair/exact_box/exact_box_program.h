@@ -68,6 +68,12 @@ typedef struct fmb_exact_box_program {
     int exponent[FMB_EXACT_BOX_DIM], scale[FMB_EXACT_BOX_DIM];
 } fmb_exact_box_program;
 
+/* Can frames of so many dimensions and axes be loaded? */
+static inline bool fmb_exact_box_is_for(int dim, int naxes_p, int naxes_q)
+{
+    return dim <= FMB_EXACT_BOX_DIM && naxes_p <= dim && naxes_q <= dim;
+}
+
 /* False: numbers of a row are too far apart, more than FMB_EXACT_BOX_DIM dimensions, more axes than
  * dimensions, which this is not for. All numbers are finite. */
 bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q);
