@@ -66,7 +66,7 @@
     WAY(PAIR_CORNERS, "signs of determinants", "pair/corners/decide_corners",                      \
         "pairs: verdicts on triangles and tetrahedra by their corners")                            \
     WAY(PAIR_VERTICES, "exact vertices", "pair/exact_box/*",                                       \
-        "pairs: exact verdicts and boxes in up to three dimensions")                               \
+        "pairs: exact verdicts and boxes in up to eight dimensions")                               \
     WAY(PAIR_DOUBLES, "pairs in doubles", "pair/general/*",                                        \
         "pairs: verdicts and boxes in any dimension, proved in doubles")
 /* clang-format on */
