@@ -11,6 +11,8 @@
  */
 #include "pair/exact_box/point.h"
 
+#include "frame/near_jordan.h"
+
 typedef fmb_exact_box_near near;
 
 #define DIM FMB_EXACT_BOX_DIM
@@ -44,59 +46,6 @@ static void list_near_columns(const fmb_exact_box *v, double (*p)[DIM])
         for (int row = 0; row < v->program->dim; row++)
             p[k][row] = b ? a->near[row] - b->near[row] : a->near[row];
     }
-}
-
-/* Row `from` of a in place of row `to`, and the other way round. */
-static void exchange_rows(int n, double (*a)[DIM], int from, int to)
-{
-    for (int i = 0; from != to && i < n; i++) {
-        double x = a[from][i];
-        a[from][i] = a[to][i];
-        a[to][i] = x;
-    }
-}
-
-static void exchange_columns(int n, double (*a)[DIM], int from, int to)
-{
-    for (int i = 0; from != to && i < n; i++) {
-        double x = a[i][from];
-        a[i][from] = a[i][to];
-        a[i][to] = x;
-    }
-}
-
-static void eliminate_column(int n, double (*a)[DIM], int k)
-{
-    double pivot = 1 / a[k][k];
-    a[k][k] = 1;
-    for (int j = 0; j < n; j++)
-        a[k][j] *= pivot;
-    for (int i = 0; i < n; i++) {
-        double by = a[i][k];
-        if (i == k || by == 0)
-            continue;
-        a[i][k] = 0;
-        for (int j = 0; j < n; j++)
-            a[i][j] -= by * a[k][j];
-    }
-}
-
-/* Gauss and Jordan, in place, the largest entry of a column as its pivot. False: a column is 0. */
-static bool invert(int n, double (*a)[DIM])
-{
-    int from[DIM];
-    for (int k = 0; k < n; k++) {
-        from[k] = k;
-        for (int i = k + 1; i < n; i++)
-            from[k] = fabs(a[i][k]) > fabs(a[from[k]][k]) ? i : from[k];
-        if (!(fabs(a[from[k]][k]) > 0))
-            return false;
-        exchange_rows(n, a, from[k], k);
-        eliminate_column(n, a, k);
-    }
-    for (int k = n - 1; k >= 0; k--)
-        exchange_columns(n, a, from[k], k);
-    return true;
 }
 
 /* The defects; false: one is too large, or no number. */
@@ -215,7 +164,7 @@ static void find_near(fmb_exact_box *v)
     for (int k = 0; k < n; k++)
         for (int row = 0; row < n; row++)
             v->inverse[row][k] = p[k][row];
-    v->is_near = invert(n, v->inverse) && find_defects(v, (const double(*)[DIM])p);
+    v->is_near = fmb_near_invert(n, v->inverse) && find_defects(v, (const double(*)[DIM])p);
     if (v->is_near)
         find_near_values(v, (const double(*)[DIM])p);
     for (int k = 0; !v->is_near && k < n; k++)
