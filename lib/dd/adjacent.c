@@ -7,18 +7,17 @@
  * them.
  */
 #include "dd/adjacent.h"
+#include "base/arrays.h"
 #include "base/ways.h"
 
 #include <string.h>
 
 void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem)
 {
-    fmb_mem_put(mem, p->near.word, p->near.capacity, sizeof *p->near.word);
-    fmb_mem_put(mem, p->far, p->far_capacity, sizeof *p->far);
-    fmb_mem_put(mem, p->far_rest, p->far_rest_capacity, sizeof *p->far_rest);
-    fmb_mem_put(mem, p->nearby, p->nearby_capacity, sizeof *p->nearby);
-    fmb_mem_put(mem, p->joint, p->joint_capacity, sizeof *p->joint);
-    fmb_mem_put(mem, p->found, p->found_capacity, sizeof *p->found);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(p->near.word, p->near.capacity),
+                   FMB_ARRAY(p->far, p->far_capacity), FMB_ARRAY(p->far_rest, p->far_rest_capacity),
+                   FMB_ARRAY(p->nearby, p->nearby_capacity), FMB_ARRAY(p->joint, p->joint_capacity),
+                   FMB_ARRAY(p->found, p->found_capacity));
 }
 
 /* ---- planes ---------------------------------------------------------------------------------- */

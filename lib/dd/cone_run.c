@@ -7,6 +7,7 @@
  */
 #include "dd/cone.h"
 
+#include "base/arrays.h"
 #include "dd/insert.h"
 #include "num/gcd.h"
 
@@ -60,6 +61,14 @@ static fmb_status write_unit_lines(fmb_cone *c)
     return FMB_OK;
 }
 
+static fmb_status hold_arrays(fmb_cone *c, bool get)
+{
+    const size_t m = c->of.m;
+    return FMB_ARRAYS(c->run->mem, get, FMB_ARRAY(c->row_of_bit, m), FMB_ARRAY(c->left, m),
+                      FMB_ARRAY_ZERO(c->negatives, m), FMB_ARRAY_ZERO(c->weight, m),
+                      FMB_ARRAY_ZERO(c->at, 1));
+}
+
 fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of)
 {
     fmb_mem *mem = run->mem;
@@ -68,13 +77,7 @@ fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of)
     fmb_rays_init(&c->line, mem, width, 1);
     fmb_rays_init(&c->ray, mem, width, words > 0 ? words : 1);
     c->lefts = of->keep ? of->m : 0;
-    c->row_of_bit = fmb_mem_get(mem, of->m, sizeof *c->row_of_bit);
-    c->left = fmb_mem_get(mem, of->m, sizeof *c->left);
-    c->negatives = fmb_mem_zero(mem, of->m, sizeof *c->negatives);
-    c->weight = fmb_mem_zero(mem, of->m, sizeof *c->weight);
-    c->at = fmb_mem_zero(mem, 1, sizeof *c->at);
-    if (!c->row_of_bit || !c->left || !c->negatives || !c->weight || !c->at)
-        return fmb_mem_status(mem);
+    FMB_TRY(hold_arrays(c, true));
     for (size_t i = 0; of->sparse_first && i < of->m; i++)
         for (size_t k = 0; k < of->d; k++)
             c->weight[i] += fmb_vec_sgn(of->row[i].v, k) != 0;
@@ -88,16 +91,11 @@ void fmb_cone_clear(fmb_cone *c)
 {
     if (!c->run)
         return;
-    fmb_mem *mem = c->run->mem;
     fmb_rays_clear(&c->line);
     fmb_rays_clear(&c->ray);
-    fmb_mem_put(mem, c->row_of_bit, c->of.m, sizeof *c->row_of_bit);
-    fmb_mem_put(mem, c->left, c->of.m, sizeof *c->left);
-    fmb_mem_put(mem, c->negatives, c->of.m, sizeof *c->negatives);
-    fmb_mem_put(mem, c->weight, c->of.m, sizeof *c->weight);
     if (c->at)
-        fmb_insertion_clear(c->at, mem);
-    fmb_mem_put(mem, c->at, 1, sizeof *c->at);
+        fmb_insertion_clear(c->at, c->run->mem);
+    (void)hold_arrays(c, false);
     c->run->stats.promotions += c->num.promotions;
     fmb_num_clear(&c->num);
     c->run = NULL;

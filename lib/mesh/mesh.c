@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* ---- equal points ---------------------------------------------------------------------------- */
 
 /* Points by their place in a table of open addressing; UINT32_MAX: none. */
@@ -205,16 +207,12 @@ void fmb_mesh_free(fmb_mesh *m)
     if (!m)
         return;
     fmb_mem mem = m->mem;
-    fmb_mem_put(&mem, m->point, 3 * m->vertices, sizeof *m->point);
-    fmb_mem_put(&mem, m->corner, m->cells * (size_t)m->corners, sizeof *m->corner);
-    fmb_mem_put(&mem, m->face, m->cells, sizeof *m->face);
-    fmb_mem_put(&mem, m->group, m->cells, sizeof *m->group);
-    fmb_mem_put(&mem, m->names, m->names_size, 1);
-    fmb_mem_put(&mem, m->same, m->vertices, sizeof *m->same);
-    fmb_mem_put(&mem, m->faults, m->cells, sizeof *m->faults);
-    fmb_mem_put(&mem, m->order, m->cells, sizeof *m->order);
-    fmb_mem_put(&mem, m->box, m->cells, sizeof *m->box);
-    fmb_mem_put(&mem, m->node, m->nodes, sizeof *m->node);
+    FMB_ARRAYS_PUT(&mem, FMB_ARRAY(m->point, 3 * m->vertices),
+                   FMB_ARRAY(m->corner, m->cells * (size_t)m->corners),
+                   FMB_ARRAY(m->face, m->cells), FMB_ARRAY(m->group, m->cells),
+                   FMB_ARRAY(m->names, m->names_size), FMB_ARRAY(m->same, m->vertices),
+                   FMB_ARRAY(m->faults, m->cells), FMB_ARRAY(m->order, m->cells),
+                   FMB_ARRAY(m->box, m->cells), FMB_ARRAY(m->node, m->nodes));
     fmb_mem_put(&mem, m, 1, sizeof *m);
 }
 

@@ -3,6 +3,8 @@
  */
 #include <string.h>
 
+#include "base/arrays.h"
+
 #include "mesh/mesh_private.h"
 
 /* The least and the greatest coordinates of a cell. */
@@ -161,21 +163,16 @@ fmb_status fmb_mesh_grow_tree(fmb_mesh *m)
 {
     /* Halves of at least FMB_MESH_LEAF_CELLS / 2 + 1 cells. */
     size_t most = 2 * (m->cells / (FMB_MESH_LEAF_CELLS / 2) + 1);
-    fmb_status st = FMB_OK;
-    m->order = fmb_mem_get(&m->mem, m->cells, sizeof *m->order);
-    m->box = fmb_mem_get(&m->mem, m->cells, sizeof *m->box);
-    m->node = fmb_mem_get(&m->mem, most, sizeof *m->node);
-    m->nodes = m->node ? most : 0;
-    placed_cell *list = fmb_mem_get(&m->mem, m->cells, sizeof *list);
-    if (m->order && m->box && m->node && list) {
-        place_cells(m, list);
-        m->node[0] = (fmb_mesh_node){.from = 0, .to = (uint32_t)m->cells};
-        m->nodes = 1;
-        grow_node(m, list, 0);
-        m->nodes = most;
-    } else {
-        st = fmb_mem_status(&m->mem);
-    }
+    placed_cell *list;
+    m->nodes = most;
+    FMB_TRY(FMB_ARRAYS(&m->mem, true, FMB_ARRAY(m->order, m->cells), FMB_ARRAY(m->box, m->cells),
+                       FMB_ARRAY(m->node, most)));
+    FMB_TRY(FMB_GET(&m->mem, list, m->cells));
+    place_cells(m, list);
+    m->node[0] = (fmb_mesh_node){.from = 0, .to = (uint32_t)m->cells};
+    m->nodes = 1;
+    grow_node(m, list, 0);
+    m->nodes = most;
     fmb_mem_put(&m->mem, list, m->cells, sizeof *list);
-    return st;
+    return FMB_OK;
 }

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "base/arrays.h"
 #include "num/bitset.h"
 #include "num/rationals.h"
 #include "system/system_private.h"
@@ -203,11 +204,8 @@ static fmb_status open_matching(matching *m, const fmb_claim *q)
 {
     size_t dim = m->of->dim;
     mpz_inits(m->p, m->q, NULL);
-    m->kept = fmb_mem_zero(m->mem, dim, sizeof *m->kept);
-    m->column = fmb_mem_get(m->mem, dim, sizeof *m->column);
-    m->var = fmb_mem_get(m->mem, m->k, sizeof *m->var);
-    if (!m->kept || !m->column || !m->var)
-        return fmb_mem_status(m->mem);
+    FMB_TRY(FMB_ARRAYS(m->mem, true, FMB_ARRAY_ZERO(m->kept, dim), FMB_ARRAY(m->column, dim),
+                       FMB_ARRAY(m->var, m->k)));
     for (size_t i = 0; i < m->k; i++) {
         m->var[i] = q->terms.index[i];
         m->kept[m->var[i]] = true;
@@ -220,10 +218,8 @@ static void close_matching(matching *m)
 {
     for (size_t i = 0; i < m->size; i++)
         fmb_integers_clear(&m->said[i].z, m->mem);
-    fmb_mem_put(m->mem, m->said, m->capacity, sizeof *m->said);
-    fmb_mem_put(m->mem, m->kept, m->of->dim, sizeof *m->kept);
-    fmb_mem_put(m->mem, m->column, m->of->dim, sizeof *m->column);
-    fmb_mem_put(m->mem, m->var, m->k, sizeof *m->var);
+    FMB_ARRAYS_PUT(m->mem, FMB_ARRAY(m->said, m->capacity), FMB_ARRAY(m->kept, m->of->dim),
+                   FMB_ARRAY(m->column, m->of->dim), FMB_ARRAY(m->var, m->k));
     mpz_clears(m->p, m->q, NULL);
 }
 

@@ -21,6 +21,7 @@
  */
 #include "proof/complete.h"
 
+#include "base/arrays.h"
 #include "num/bitset.h"
 #include "num/integers.h"
 #include "num/prime.h"
@@ -219,10 +220,7 @@ static fmb_status find_rank(assembly *a, fmb_integers *v, size_t n, size_t *foun
 static fmb_status list_kept_variables(assembly *a, const fmb_claim *q)
 {
     size_t dim = (size_t)a->e->dim;
-    a->kept = fmb_mem_zero(a->mem, dim, sizeof *a->kept);
-    a->column = fmb_mem_get(a->mem, dim, sizeof *a->column);
-    if (!a->kept || !a->column)
-        return fmb_mem_status(a->mem);
+    FMB_TRY(FMB_ARRAYS(a->mem, true, FMB_ARRAY_ZERO(a->kept, dim), FMB_ARRAY(a->column, dim)));
     for (size_t k = 0; k < q->terms.size; k++) {
         a->kept[q->terms.index[k]] = true;
         a->column[q->terms.index[k]] = k;
@@ -239,10 +237,8 @@ static bool is_row_of_image(const assembly *a, const fmb_claim *c)
 static fmb_status list_rows_and_corners(assembly *a)
 {
     const fmb_evidence *e = a->e;
-    a->row = fmb_mem_get(a->mem, e->claims, sizeof *a->row);
-    a->corner = fmb_mem_get(a->mem, e->claims, sizeof *a->corner);
-    if (!a->row || !a->corner)
-        return fmb_mem_status(a->mem);
+    FMB_TRY(
+        FMB_ARRAYS(a->mem, true, FMB_ARRAY(a->row, e->claims), FMB_ARRAY(a->corner, e->claims)));
     for (int equation = 0; equation <= 1; equation++)
         for (size_t i = 0; i < e->claims; i++)
             if (is_row_of_image(a, &e->claim[i]) && (e->claim[i].rel == FMB_EQ) == equation) {
@@ -258,9 +254,8 @@ static fmb_status list_rows_and_corners(assembly *a)
 static fmb_status write_out_numbers(assembly *a)
 {
     size_t forms = a->rows + a->equations;
-    a->form = fmb_mem_zero(a->mem, forms, sizeof *a->form);
-    a->vector = fmb_mem_zero(a->mem, a->corners, sizeof *a->vector);
-    FMB_TRY(a->form && a->vector ? FMB_OK : fmb_mem_status(a->mem));
+    FMB_TRY(FMB_ARRAYS(a->mem, true, FMB_ARRAY_ZERO(a->form, forms),
+                       FMB_ARRAY_ZERO(a->vector, a->corners)));
     for (size_t i = 0; i < forms; i++)
         FMB_TRY(
             gather(a, &a->row[i]->terms, a->column, -1, a->row[i]->value, a->width, &a->form[i]));
@@ -281,13 +276,10 @@ static fmb_status find_zeros(assembly *a)
     l->forms = a->rows + 1;
     l->words = a->corners / 64 + 1;
     l->zero = fmb_mem_zero(a->mem, l->forms, l->words * sizeof *l->zero);
-    l->excludes = fmb_mem_zero(a->mem, l->forms, sizeof *l->excludes);
-    a->free = fmb_mem_zero(a->mem, l->words, sizeof *a->free);
-    a->rest = fmb_mem_zero(a->mem, l->words, sizeof *a->rest);
-    a->face = fmb_mem_zero(a->mem, l->words, sizeof *a->face);
-    if (!l->zero || !l->excludes || !a->free || !a->rest || !a->face)
-        return fmb_mem_status(a->mem);
-    fmb_status st = FMB_OK;
+    fmb_status st = FMB_ARRAYS(a->mem, true, FMB_ARRAY_ZERO(l->excludes, l->forms),
+                               FMB_ARRAY_ZERO(a->free, l->words), FMB_ARRAY_ZERO(a->rest, l->words),
+                               FMB_ARRAY_ZERO(a->face, l->words));
+    FMB_TRY(l->zero ? st : fmb_mem_status(a->mem));
     for (size_t g = 0; st == FMB_OK && g < a->corners; g++) {
         size_t zeros = 0;
         for (size_t i = 0; i < l->forms; i++) {
@@ -428,20 +420,15 @@ static void clear_assembly(assembly *a)
         fmb_integers_clear(&a->form[i], a->mem);
     for (size_t g = 0; a->vector && g < a->corners; g++)
         fmb_integers_clear(&a->vector[g], a->mem);
-    fmb_mem_put(a->mem, a->form, forms, sizeof *a->form);
-    fmb_mem_put(a->mem, a->vector, a->corners, sizeof *a->vector);
     fmb_mem_put(a->mem, a->form_residue, a->rows, a->width * sizeof *a->form_residue);
     fmb_mem_put(a->mem, a->vector_residue, a->corners, a->width * sizeof *a->vector_residue);
-    fmb_mem_put(a->mem, a->row, a->e->claims, sizeof *a->row);
-    fmb_mem_put(a->mem, a->corner, a->e->claims, sizeof *a->corner);
-    fmb_mem_put(a->mem, a->kept, dim, sizeof *a->kept);
-    fmb_mem_put(a->mem, a->column, dim, sizeof *a->column);
     fmb_mem_put(a->mem, l->zero, l->forms, l->words * sizeof *l->zero);
-    fmb_mem_put(a->mem, l->excludes, l->forms, sizeof *l->excludes);
     fmb_mem_put(a->mem, l->shows, l->wanted, l->words * sizeof *l->shows);
-    fmb_mem_put(a->mem, a->free, l->words, sizeof *a->free);
-    fmb_mem_put(a->mem, a->rest, l->words, sizeof *a->rest);
-    fmb_mem_put(a->mem, a->face, l->words, sizeof *a->face);
+    FMB_ARRAYS_PUT(a->mem, FMB_ARRAY(a->form, forms), FMB_ARRAY(a->vector, a->corners),
+                   FMB_ARRAY(a->row, a->e->claims), FMB_ARRAY(a->corner, a->e->claims),
+                   FMB_ARRAY(a->kept, dim), FMB_ARRAY(a->column, dim),
+                   FMB_ARRAY(l->excludes, l->forms), FMB_ARRAY(a->free, l->words),
+                   FMB_ARRAY(a->rest, l->words), FMB_ARRAY(a->face, l->words));
     mpz_clears(a->t, a->z, NULL);
 }
 

@@ -1,5 +1,6 @@
 /* lattice.c: the faces of a cone, level by level, from sets of generators; see lattice.h. */
 #include "proof/lattice.h"
+#include "base/arrays.h"
 #include "num/bitset.h"
 
 #include <string.h>
@@ -254,15 +255,12 @@ static fmb_status is_simple(lattice_walk *w, const uint64_t *f, size_t dimension
         return FMB_OK;
     while (s.slots < 2 * incidences)
         s.slots *= 2;
-    s.tight = fmb_mem_get(w->mem, incidences, sizeof *s.tight);
-    s.slot = fmb_mem_zero(w->mem, s.slots, sizeof *s.slot);
-    s.is_met = fmb_mem_zero(w->mem, s.slots, sizeof *s.is_met);
-    fmb_status st = s.tight && s.slot && s.is_met ? FMB_OK : fmb_mem_status(w->mem);
+    const fmb_array arrays[] = {FMB_ARRAY(s.tight, incidences), FMB_ARRAY_ZERO(s.slot, s.slots),
+                                FMB_ARRAY_ZERO(s.is_met, s.slots)};
+    fmb_status st = fmb_arrays(w->mem, true, FMB_ALL(arrays));
     *simple = st == FMB_OK && list_tight_forms(w, f, &s) && have_all_neighbours(&s);
     w->words += incidences + s.slots;
-    fmb_mem_put(w->mem, s.tight, incidences, sizeof *s.tight);
-    fmb_mem_put(w->mem, s.slot, s.slots, sizeof *s.slot);
-    fmb_mem_put(w->mem, s.is_met, s.slots, sizeof *s.is_met);
+    (void)fmb_arrays(w->mem, false, FMB_ALL(arrays));
     return st;
 }
 
@@ -347,23 +345,17 @@ fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t d
     size_t words;
     if (__builtin_mul_overflow(l->forms, l->words, &words))
         return FMB_ERR_MEMORY;
-    w.set = fmb_mem_get(mem, words, sizeof *w.set);
-    w.cut = fmb_mem_get(mem, l->forms, sizeof *w.cut);
-    w.facet = fmb_mem_get(mem, l->forms, sizeof *w.facet);
-    w.part = fmb_mem_get(mem, l->words, sizeof *w.part);
-    w.face = fmb_mem_get(mem, l->words, sizeof *w.face);
-    fmb_status st = w.set && w.cut && w.facet && w.part && w.face ? FMB_OK : fmb_mem_status(mem);
+    const fmb_array arrays[] = {FMB_ARRAY(w.set, words), FMB_ARRAY(w.cut, l->forms),
+                                FMB_ARRAY(w.facet, l->forms), FMB_ARRAY(w.part, l->words),
+                                FMB_ARRAY(w.face, l->words)};
+    fmb_status st = fmb_arrays(mem, true, FMB_ALL(arrays));
     FMB_THEN(st, add_face(&w.here, top, l->words, mem));
     if (dimension == 0)
         w.end = FMB_LATTICE_OPEN;
     FMB_THEN(st, walk_down(&w, dimension, poll));
     clear_level(&w.here, mem);
     clear_level(&w.below, mem);
-    fmb_mem_put(mem, w.set, words, sizeof *w.set);
-    fmb_mem_put(mem, w.cut, l->forms, sizeof *w.cut);
-    fmb_mem_put(mem, w.facet, l->forms, sizeof *w.facet);
-    fmb_mem_put(mem, w.part, l->words, sizeof *w.part);
-    fmb_mem_put(mem, w.face, l->words, sizeof *w.face);
+    (void)fmb_arrays(mem, false, FMB_ALL(arrays));
     if (st == FMB_OK)
         *end = w.end == FMB_LATTICE_CLOSED && w.is_unshown ? FMB_LATTICE_UNSHOWN : w.end;
     return st;

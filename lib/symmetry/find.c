@@ -27,6 +27,8 @@ fmb_status fmb_symmetry_find(fmb_run *run, const fmb_program *p, const bool *kee
 
 #include <traces.h>
 
+#include "base/arrays.h"
+
 /* Graphs of so many vertices take milliseconds. */
 #define MOST_VERTICES    8192
 /* What nauty keeps for each [bytes]. */
@@ -70,6 +72,14 @@ static int64_t entry_as_int64(const fmb_vec *v, size_t k)
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
+static fmb_status hold_arrays(drawing *d, bool get)
+{
+    const size_t v = d->vertices;
+    return FMB_ARRAYS(d->mem, get, FMB_ARRAY(d->vertex, v), FMB_ARRAY(d->first, v),
+                      FMB_ARRAY(d->degree, v), FMB_ARRAY(d->end, d->edges), FMB_ARRAY(d->label, v),
+                      FMB_ARRAY(d->same, v), FMB_ARRAY(d->orbit, v));
+}
+
 static fmb_status open_drawing(drawing *d, fmb_mem *mem, const fmb_program *p)
 {
     *d = (drawing){.mem = mem, .p = p};
@@ -78,28 +88,13 @@ static fmb_status open_drawing(drawing *d, fmb_mem *mem, const fmb_program *p)
         return FMB_LIMIT;
     d->vertices = v;
     d->edges = e;
-    d->vertex = fmb_mem_get(mem, v, sizeof *d->vertex);
-    d->first = fmb_mem_get(mem, v, sizeof *d->first);
-    d->degree = fmb_mem_get(mem, v, sizeof *d->degree);
-    d->end = fmb_mem_get(mem, e, sizeof *d->end);
-    d->label = fmb_mem_get(mem, v, sizeof *d->label);
-    d->same = fmb_mem_get(mem, v, sizeof *d->same);
-    d->orbit = fmb_mem_get(mem, v, sizeof *d->orbit);
-    return d->vertex && d->first && d->degree && d->end && d->label && d->same && d->orbit
-               ? FMB_OK
-               : fmb_mem_status(mem);
+    return hold_arrays(d, true);
 }
 
 static void close_drawing(drawing *d)
 {
     size_t v = d->vertices;
-    fmb_mem_put(d->mem, d->vertex, v, sizeof *d->vertex);
-    fmb_mem_put(d->mem, d->first, v, sizeof *d->first);
-    fmb_mem_put(d->mem, d->degree, v, sizeof *d->degree);
-    fmb_mem_put(d->mem, d->end, d->edges, sizeof *d->end);
-    fmb_mem_put(d->mem, d->label, v, sizeof *d->label);
-    fmb_mem_put(d->mem, d->same, v, sizeof *d->same);
-    fmb_mem_put(d->mem, d->orbit, v, sizeof *d->orbit);
+    (void)hold_arrays(d, false);
     fmb_mem_refund(d->mem, v * BYTES_PER_VERTEX);
 }
 

@@ -1,6 +1,7 @@
 /* row_images.c: see row_images.h. */
 #include "symmetry/row_images.h"
 
+#include "base/arrays.h"
 #include "num/rationals.h"
 
 /* ---- modulo equalities ----------------------------------------------------------------------- */
@@ -216,9 +217,8 @@ static fmb_status open_equalities(fmb_row_images *t)
     if (t->room == 0)
         return FMB_OK;
     FMB_TRY(fmb_rationals_new(&t->x, t->dim + 1, t->mem));
-    t->equality = fmb_mem_get(t->mem, t->room, sizeof *t->equality);
-    t->pivot = fmb_mem_get(t->mem, t->room, sizeof *t->pivot);
-    FMB_TRY(t->equality && t->pivot ? FMB_OK : fmb_mem_status(t->mem));
+    FMB_TRY(
+        FMB_ARRAYS(t->mem, true, FMB_ARRAY(t->equality, t->room), FMB_ARRAY(t->pivot, t->room)));
     for (size_t i = 0; i < m; i++) {
         const fmb_sysrow *r = fmb_system_row(t->s, i);
         if (r->rel != FMB_EQ)
@@ -233,15 +233,12 @@ static fmb_status open_equalities(fmb_row_images *t)
 static fmb_status open_row_images(fmb_row_images *t)
 {
     size_t m = fmb_system_rows(t->s);
-    t->row = fmb_mem_zero(t->mem, m, sizeof *t->row);
-    t->slot = fmb_mem_get(t->mem, t->slots, sizeof *t->slot);
-    t->moved.var = fmb_mem_get(t->mem, t->dim, sizeof *t->moved.var);
-    t->moved.v.s = fmb_mem_get(t->mem, t->dim + 1, sizeof *t->moved.v.s);
-    t->z = fmb_vec_block(t->dim + 1, t->mem);
-    for (size_t k = 0; t->slot && k < t->slots; k++)
+    FMB_TRY(FMB_ARRAYS(t->mem, true, FMB_ARRAY_ZERO(t->row, m), FMB_ARRAY(t->slot, t->slots),
+                       FMB_ARRAY(t->moved.var, t->dim), FMB_ARRAY(t->moved.v.s, t->dim + 1)));
+    for (size_t k = 0; k < t->slots; k++)
         t->slot[k] = SIZE_MAX;
-    return t->row && t->slot && t->moved.var && t->moved.v.s && t->z ? FMB_OK
-                                                                     : fmb_mem_status(t->mem);
+    t->z = fmb_vec_block(t->dim + 1, t->mem);
+    return t->z ? FMB_OK : fmb_mem_status(t->mem);
 }
 
 fmb_status fmb_row_images_init(fmb_row_images *t, const fmb_system *s, fmb_mem *mem)
@@ -280,10 +277,8 @@ void fmb_row_images_clear(fmb_row_images *t)
     close_equalities(t);
     mpq_clear(t->q);
     fmb_vec_block_free(t->z, t->dim + 1, t->mem);
-    fmb_mem_put(t->mem, t->moved.v.s, t->dim + 1, sizeof *t->moved.v.s);
-    fmb_mem_put(t->mem, t->moved.var, t->dim, sizeof *t->moved.var);
-    fmb_mem_put(t->mem, t->slot, t->slots, sizeof *t->slot);
-    fmb_mem_put(t->mem, t->row, m, sizeof *t->row);
+    FMB_ARRAYS_PUT(t->mem, FMB_ARRAY(t->moved.v.s, t->dim + 1), FMB_ARRAY(t->moved.var, t->dim),
+                   FMB_ARRAY(t->slot, t->slots), FMB_ARRAY(t->row, m));
     fmb_num_clear(&t->num);
 }
 

@@ -1,6 +1,8 @@
 /* matrix.c: all rows of a system as one object, in compressed rows of doubles. */
 #include "system/system_private.h"
 
+#include "base/arrays.h"
+
 /* What is handed out, with what it takes to free it. */
 typedef struct owned_matrix {
     fmb_matrix shown;
@@ -13,13 +15,11 @@ typedef struct owned_matrix {
 
 static bool reserve_matrix(owned_matrix *o, size_t rows, size_t terms)
 {
-    o->start = fmb_mem_get(&o->mem, rows + 1, sizeof *o->start);
-    o->var = fmb_mem_get(&o->mem, terms, sizeof *o->var);
-    o->coef = fmb_mem_get(&o->mem, terms, sizeof *o->coef);
-    o->b = fmb_mem_get(&o->mem, rows, sizeof *o->b);
-    o->rel = fmb_mem_get(&o->mem, rows, sizeof *o->rel);
+    bool good = FMB_ARRAYS(&o->mem, true, FMB_ARRAY(o->start, rows + 1), FMB_ARRAY(o->var, terms),
+                           FMB_ARRAY(o->coef, terms), FMB_ARRAY(o->b, rows),
+                           FMB_ARRAY(o->rel, rows)) == FMB_OK;
     o->shown = (fmb_matrix){rows, terms, 0, o->start, o->var, o->coef, o->rel, o->b};
-    return o->start && o->var && o->coef && o->b && o->rel;
+    return good;
 }
 
 fmb_status fmb_system_matrix(const fmb_system *s, fmb_matrix **out)
@@ -49,11 +49,9 @@ void fmb_matrix_free(fmb_matrix *m)
     if (!m)
         return;
     owned_matrix *o = (owned_matrix *)m; /* its first member */
-    fmb_mem_put(&o->mem, o->start, m->rows + 1, sizeof *o->start);
-    fmb_mem_put(&o->mem, o->var, m->terms, sizeof *o->var);
-    fmb_mem_put(&o->mem, o->coef, m->terms, sizeof *o->coef);
-    fmb_mem_put(&o->mem, o->b, m->rows, sizeof *o->b);
-    fmb_mem_put(&o->mem, o->rel, m->rows, sizeof *o->rel);
+    FMB_ARRAYS_PUT(&o->mem, FMB_ARRAY(o->start, m->rows + 1), FMB_ARRAY(o->var, m->terms),
+                   FMB_ARRAY(o->coef, m->terms), FMB_ARRAY(o->b, m->rows),
+                   FMB_ARRAY(o->rel, m->rows));
     fmb_mem mem = o->mem;
     fmb_mem_put(&mem, o, 1, sizeof *o);
 }

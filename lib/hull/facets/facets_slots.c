@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* ---- slots ----------------------------------------------------------------------------------- */
 
 static fmb_status widen_set(fmb_facets *f, uint64_t **set, size_t *words, size_t wanted)
@@ -33,12 +35,10 @@ static fmb_status make_slot(fmb_facets *f, uint32_t *out)
     FMB_TRY(FMB_RESERVE(mem, &f->facet, &f->facet_capacity, f->slots + 1));
     fmb_facet *a = &f->facet[f->slots++];
     *a = (fmb_facet){0};
-    a->normal.s = fmb_mem_zero(mem, f->d + 1, sizeof *a->normal.s);
-    a->roughly = fmb_mem_get(mem, 2 * f->d, sizeof *a->roughly);
-    a->on = fmb_mem_get(mem, f->words, sizeof *a->on);
     a->words = f->words;
     *out = (uint32_t)(f->slots - 1);
-    return a->normal.s && a->roughly && a->on ? FMB_OK : fmb_mem_status(mem);
+    return FMB_ARRAYS(mem, true, FMB_ARRAY_ZERO(a->normal.s, f->d + 1),
+                      FMB_ARRAY(a->roughly, 2 * f->d), FMB_ARRAY(a->on, f->words));
 }
 
 fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out)
@@ -117,12 +117,8 @@ fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d)
     fmb_mem *mem = run->mem;
     *f = (fmb_facets){.run = run, .d = d, .words = 1, .common_words = 1};
     FMB_TRY(fmb_run_open_num(run, &f->num, d + 1, false));
-    f->g.s = fmb_mem_zero(mem, d, sizeof *f->g.s);
-    f->near = fmb_mem_get(mem, d, sizeof *f->near);
-    f->common = fmb_mem_get(mem, f->words, sizeof *f->common);
-    f->equation = fmb_mem_zero(mem, d, sizeof *f->equation);
-    if (!f->g.s || !f->near || !f->common || !f->equation)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_ARRAYS(mem, true, FMB_ARRAY_ZERO(f->g.s, d), FMB_ARRAY(f->near, d),
+                       FMB_ARRAY(f->common, f->words), FMB_ARRAY_ZERO(f->equation, d)));
     return open_vectors(f);
 }
 
@@ -130,10 +126,8 @@ static void clear_facet_slot(fmb_facets *f, fmb_facet *a)
 {
     fmb_mem *mem = f->num.mem;
     fmb_vec_clear(&a->normal, f->d + 1, mem);
-    fmb_mem_put(mem, a->normal.s, f->d + 1, sizeof *a->normal.s);
-    fmb_mem_put(mem, a->roughly, 2 * f->d, sizeof *a->roughly);
-    fmb_mem_put(mem, a->on, a->words, sizeof *a->on);
-    fmb_mem_put(mem, a->next, a->next_capacity, sizeof *a->next);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(a->normal.s, f->d + 1), FMB_ARRAY(a->roughly, 2 * f->d),
+                   FMB_ARRAY(a->on, a->words), FMB_ARRAY(a->next, a->next_capacity));
 }
 
 static void clear_vectors(fmb_vec *v, size_t count, size_t capacity, size_t n, fmb_mem *mem)
@@ -156,15 +150,11 @@ void fmb_facets_clear(fmb_facets *f)
     fmb_normal_tools_clear(f, &(fmb_normal_tools){&f->num, f->minor});
     clear_vectors(f->generator, f->generators, f->generator_capacity, f->d, mem);
     fmb_vec_clear(&f->g, f->d, mem);
-    fmb_mem_put(mem, f->g.s, f->d, sizeof *f->g.s);
-    fmb_mem_put(mem, f->near, f->d, sizeof *f->near);
-    fmb_mem_put(mem, f->rounded, f->rounded_capacity, sizeof *f->rounded);
-    fmb_mem_put(mem, f->common, f->common_words, sizeof *f->common);
-    fmb_mem_put(mem, f->holder, f->holder_capacity, sizeof *f->holder);
-    fmb_mem_put(mem, f->facet, f->facet_capacity, sizeof *f->facet);
-    fmb_mem_put(mem, f->seen, f->seen_capacity, sizeof *f->seen);
-    fmb_mem_put(mem, f->touched, f->touched_capacity, sizeof *f->touched);
-    fmb_mem_put(mem, f->made, f->made_capacity, sizeof *f->made);
-    fmb_mem_put(mem, f->unused, f->unused_capacity, sizeof *f->unused);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(f->g.s, f->d), FMB_ARRAY(f->near, f->d),
+                   FMB_ARRAY(f->rounded, f->rounded_capacity),
+                   FMB_ARRAY(f->common, f->common_words), FMB_ARRAY(f->holder, f->holder_capacity),
+                   FMB_ARRAY(f->facet, f->facet_capacity), FMB_ARRAY(f->seen, f->seen_capacity),
+                   FMB_ARRAY(f->touched, f->touched_capacity), FMB_ARRAY(f->made, f->made_capacity),
+                   FMB_ARRAY(f->unused, f->unused_capacity));
     fmb_num_clear(&f->num);
 }

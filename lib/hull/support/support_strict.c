@@ -7,6 +7,7 @@
  */
 #include <string.h>
 
+#include "base/arrays.h"
 #include "hull/support/support_private.h"
 #include "num/bitset.h"
 
@@ -204,10 +205,8 @@ static fmb_status walk_down_the_lattice(lattice *l)
 static fmb_status open_lattice(lattice *l)
 {
     fmb_mem *mem = l->s->run->mem;
-    l->missing = fmb_mem_zero(mem, l->words, sizeof *l->missing);
-    l->points = fmb_mem_zero(mem, l->words, sizeof *l->points);
-    l->h.s = fmb_mem_get(mem, l->f->d, sizeof *l->h.s);
-    FMB_TRY(l->missing && l->points && l->h.s ? FMB_OK : fmb_mem_status(mem));
+    FMB_TRY(FMB_ARRAYS(mem, true, FMB_ARRAY_ZERO(l->missing, l->words),
+                       FMB_ARRAY_ZERO(l->points, l->words), FMB_ARRAY(l->h.s, l->f->d)));
     FMB_TRY(reserve_set(l, &l->face, l->faces, &l->capacity));
     return fmb_integers_init(&l->sum, l->f->d, mem);
 }
@@ -216,11 +215,9 @@ static void close_lattice(lattice *l)
 {
     fmb_mem *mem = l->s->run->mem;
     fmb_vec_clear(&l->h, l->f->d, mem);
-    fmb_mem_put(mem, l->h.s, l->f->d, sizeof *l->h.s);
-    fmb_mem_put(mem, l->missing, l->words, sizeof *l->missing);
-    fmb_mem_put(mem, l->points, l->words, sizeof *l->points);
-    fmb_mem_put(mem, l->face, l->capacity, sizeof *l->face);
-    fmb_mem_put(mem, l->gone, l->gone_capacity, sizeof *l->gone);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(l->h.s, l->f->d), FMB_ARRAY(l->missing, l->words),
+                   FMB_ARRAY(l->points, l->words), FMB_ARRAY(l->face, l->capacity),
+                   FMB_ARRAY(l->gone, l->gone_capacity));
     fmb_integers_clear(&l->sum, mem);
 }
 

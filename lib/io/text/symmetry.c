@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "io/core/stream.h"
 #include "io/text/text.h"
 #include "symmetry/group.h"
@@ -302,13 +303,11 @@ static fmb_status open_reader(permutation_reader *r, const int *keep, int n)
     fmb_mem *mem = r->t->c->mem;
     size_t dim = (size_t)fmb_system_dim(r->s);
     r->most = dim > LETTERS ? dim : LETTERS;
-    r->kept = fmb_mem_zero(mem, dim, sizeof *r->kept);
-    r->met = fmb_mem_zero(mem, r->most, sizeof *r->met);
-    r->image = fmb_mem_get(mem, r->most, sizeof *r->image);
-    r->list = fmb_mem_get(mem, dim + 1, sizeof *r->list);
-    FMB_TRY(fmb_row_images_init(&r->rows, r->s, mem));
-    if (!(r->kept && r->met && r->image && r->list))
-        FMB_TRY(fmb_mem_status(mem));
+    fmb_status st = fmb_row_images_init(&r->rows, r->s, mem);
+    FMB_THEN(st,
+             FMB_ARRAYS(mem, true, FMB_ARRAY_ZERO(r->kept, dim), FMB_ARRAY_ZERO(r->met, r->most),
+                        FMB_ARRAY(r->image, r->most), FMB_ARRAY(r->list, dim + 1)));
+    FMB_TRY(st);
     for (int j = 0; j < n; j++)
         r->kept[keep[j]] = true;
     return fmb_permutations_new((int)dim, r->t->c->how->mem, &r->out);
@@ -320,10 +319,8 @@ static void close_reader(permutation_reader *r)
     size_t dim = (size_t)fmb_system_dim(r->s);
     close_sorted_names(r);
     fmb_row_images_clear(&r->rows);
-    fmb_mem_put(mem, r->list, dim + 1, sizeof *r->list);
-    fmb_mem_put(mem, r->image, r->most, sizeof *r->image);
-    fmb_mem_put(mem, r->met, r->most, sizeof *r->met);
-    fmb_mem_put(mem, r->kept, dim, sizeof *r->kept);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(r->list, dim + 1), FMB_ARRAY(r->image, r->most),
+                   FMB_ARRAY(r->met, r->most), FMB_ARRAY(r->kept, dim));
     fmb_mem_put(mem, r->t->name.p, r->t->name.capacity, 1);
 }
 

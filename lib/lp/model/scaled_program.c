@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* Right sides beyond are that, or they would drown all others. */
 #define FAR_AWAY 1e60
 /* Columns are scaled where coefficients of the scaled rows are less than 2^-WIDE. */
@@ -13,13 +15,10 @@
 
 void fmb_scaled_program_clear(fmb_scaled_program *f)
 {
-    fmb_mem *mem = f->run->mem;
-    fmb_mem_put(mem, f->start, f->start_room, sizeof *f->start);
-    fmb_mem_put(mem, f->value, f->value_room, sizeof *f->value);
-    fmb_mem_put(mem, f->right, f->right_room, sizeof *f->right);
-    fmb_mem_put(mem, f->exponent, f->exponent_room, sizeof *f->exponent);
-    fmb_mem_put(mem, f->off, f->off_room, sizeof *f->off);
-    fmb_mem_put(mem, f->column_exponent, f->n, sizeof *f->column_exponent);
+    FMB_ARRAYS_PUT(f->run->mem, FMB_ARRAY(f->start, f->start_room),
+                   FMB_ARRAY(f->value, f->value_room), FMB_ARRAY(f->right, f->right_room),
+                   FMB_ARRAY(f->exponent, f->exponent_room), FMB_ARRAY(f->off, f->off_room),
+                   FMB_ARRAY(f->column_exponent, f->n));
 }
 
 /* ---- numbers --------------------------------------------------------------------------------- */

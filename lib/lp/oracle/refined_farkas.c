@@ -21,6 +21,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 #define MOST_UNKNOWNS 256
 /* Places of y' that each correction brings, and how many there are. */
 #define PLACES      32
@@ -59,47 +61,29 @@ bool fmb_refined_farkas_is_worth_it(const fmb_vertex *v)
     return false;
 }
 
+static fmb_status hold_arrays_of_refinement(refinement *t, bool get)
+{
+    const size_t n = t->n;
+    return FMB_ARRAYS(t->v->run->mem, get, FMB_ARRAY(t->place, n), FMB_ARRAY(t->column, n),
+                      FMB_ARRAY(t->at, n), FMB_ARRAY(t->exponent, n), FMB_ARRAY(t->matrix, n * n),
+                      FMB_ARRAY(t->inverse, n * n), FMB_ARRAY(t->c, n), FMB_ARRAY(t->y, n),
+                      FMB_ARRAY(t->rest, n), FMB_ARRAY(t->reach, n), FMB_ARRAY(t->is_nonzero, n));
+}
+
 static fmb_status open_refinement(refinement *t, const fmb_vertex *v, size_t odd)
 {
-    size_t n = v->n;
-    fmb_mem *mem = v->run->mem;
-    *t = (refinement){.v = v, .odd = odd, .n = n};
+    *t = (refinement){.v = v, .odd = odd, .n = v->n};
     mpz_inits(t->term, t->entry, NULL);
-    t->place = fmb_mem_get(mem, n, sizeof *t->place);
-    t->column = fmb_mem_get(mem, n, sizeof *t->column);
-    t->at = fmb_mem_get(mem, n, sizeof *t->at);
-    t->exponent = fmb_mem_get(mem, n, sizeof *t->exponent);
-    t->matrix = fmb_mem_get(mem, n * n, sizeof *t->matrix);
-    t->inverse = fmb_mem_get(mem, n * n, sizeof *t->inverse);
-    t->c = fmb_mem_get(mem, n, sizeof *t->c);
-    t->y = fmb_mem_get(mem, n, sizeof *t->y);
-    t->rest = fmb_mem_get(mem, n, sizeof *t->rest);
-    t->reach = fmb_mem_get(mem, n, sizeof *t->reach);
-    t->is_nonzero = fmb_mem_get(mem, n, sizeof *t->is_nonzero);
-    if (!t->place || !t->column || !t->at || !t->exponent || !t->matrix || !t->inverse || !t->c ||
-        !t->y || !t->rest || !t->reach || !t->is_nonzero)
-        return fmb_mem_status(mem);
-    FMB_TRY(fmb_integers_init(&t->multiplier, n, mem));
-    return fmb_integers_init(&t->left, n, mem);
+    FMB_TRY(hold_arrays_of_refinement(t, true));
+    FMB_TRY(fmb_integers_init(&t->multiplier, t->n, v->run->mem));
+    return fmb_integers_init(&t->left, t->n, v->run->mem);
 }
 
 static void close_refinement(refinement *t)
 {
-    size_t n = t->n;
-    fmb_mem *mem = t->v->run->mem;
-    fmb_integers_clear(&t->multiplier, mem);
-    fmb_integers_clear(&t->left, mem);
-    fmb_mem_put(mem, t->place, n, sizeof *t->place);
-    fmb_mem_put(mem, t->column, n, sizeof *t->column);
-    fmb_mem_put(mem, t->at, n, sizeof *t->at);
-    fmb_mem_put(mem, t->exponent, n, sizeof *t->exponent);
-    fmb_mem_put(mem, t->matrix, n * n, sizeof *t->matrix);
-    fmb_mem_put(mem, t->inverse, n * n, sizeof *t->inverse);
-    fmb_mem_put(mem, t->c, n, sizeof *t->c);
-    fmb_mem_put(mem, t->y, n, sizeof *t->y);
-    fmb_mem_put(mem, t->rest, n, sizeof *t->rest);
-    fmb_mem_put(mem, t->reach, n, sizeof *t->reach);
-    fmb_mem_put(mem, t->is_nonzero, n, sizeof *t->is_nonzero);
+    fmb_integers_clear(&t->multiplier, t->v->run->mem);
+    fmb_integers_clear(&t->left, t->v->run->mem);
+    (void)hold_arrays_of_refinement(t, false);
     mpz_clears(t->term, t->entry, NULL);
 }
 

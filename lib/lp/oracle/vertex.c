@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 fmb_status fmb_vertex_init(fmb_vertex *v, fmb_run *run, const fmb_program *p)
 {
     fmb_mem *mem = run->mem;
@@ -16,11 +18,9 @@ fmb_status fmb_vertex_init(fmb_vertex *v, fmb_run *run, const fmb_program *p)
     FMB_TRY(fmb_integers_init(&v->x, n, mem));
     FMB_TRY(fmb_integers_init(&v->y, n, mem));
     FMB_TRY(fmb_integers_init(&v->right, n, mem));
-    v->basis = fmb_mem_get(mem, n, sizeof *v->basis);
-    v->roughly = fmb_mem_get(mem, n, sizeof *v->roughly);
-    v->is_basic = fmb_mem_zero(mem, n + p->m, sizeof *v->is_basic);
-    v->marks = v->is_basic ? n + p->m : 0;
-    return v->basis && v->roughly && v->is_basic ? FMB_OK : fmb_mem_status(mem);
+    v->marks = n + p->m;
+    return FMB_ARRAYS(mem, true, FMB_ARRAY(v->basis, n), FMB_ARRAY(v->roughly, n),
+                      FMB_ARRAY_ZERO(v->is_basic, v->marks));
 }
 
 void fmb_vertex_clear(fmb_vertex *v)
@@ -30,9 +30,8 @@ void fmb_vertex_clear(fmb_vertex *v)
     fmb_integers_clear(&v->x, mem);
     fmb_integers_clear(&v->y, mem);
     fmb_integers_clear(&v->right, mem);
-    fmb_mem_put(mem, v->basis, v->n, sizeof *v->basis);
-    fmb_mem_put(mem, v->roughly, v->n, sizeof *v->roughly);
-    fmb_mem_put(mem, v->is_basic, v->marks, sizeof *v->is_basic);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(v->basis, v->n), FMB_ARRAY(v->roughly, v->n),
+                   FMB_ARRAY(v->is_basic, v->marks));
     mpz_clears(v->den, v->unit, v->sum, NULL);
 }
 

@@ -14,6 +14,7 @@
 
 #include <string.h>
 
+#include "base/arrays.h"
 #include "lp/oracle/oracle.h"
 #include "num/integers.h"
 #include "num/rationals.h"
@@ -50,9 +51,8 @@ static void close_pruner(pruner *p)
     fmb_program_clear(&p->equal);
     fmb_weights_clear(&p->form, mem);
     fmb_weights_clear(&p->w, mem);
-    fmb_mem_put(mem, p->equality, p->m, sizeof *p->equality);
-    fmb_mem_put(mem, p->term, p->m, sizeof *p->term);
-    fmb_mem_put(mem, p->is_nonzero, p->n, sizeof *p->is_nonzero);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(p->equality, p->m), FMB_ARRAY(p->term, p->m),
+                   FMB_ARRAY(p->is_nonzero, p->n));
     fmb_integers_clear(&p->point, mem);
     fmb_rationals_free(p->inner, p->n, mem);
     fmb_rationals_free(p->x, p->n, mem);
@@ -78,10 +78,8 @@ static fmb_status open_pruner(pruner *p)
     fmb_program_init(&p->all, mem, (int)p->n);
     fmb_program_init(&p->equal, mem, (int)p->n);
     mpz_inits(p->den, p->sum, NULL);
-    p->equality = fmb_mem_get(mem, p->m, sizeof *p->equality);
-    p->term = fmb_mem_get(mem, p->m, sizeof *p->term);
-    p->is_nonzero = fmb_mem_zero(mem, p->n, sizeof *p->is_nonzero);
-    FMB_TRY(p->equality && p->term && p->is_nonzero ? FMB_OK : fmb_mem_status(mem));
+    FMB_TRY(FMB_ARRAYS(mem, true, FMB_ARRAY(p->equality, p->m), FMB_ARRAY(p->term, p->m),
+                       FMB_ARRAY_ZERO(p->is_nonzero, p->n)));
     FMB_TRY(fmb_integers_init(&p->point, p->n, mem));
     FMB_TRY(fmb_rationals_new(&p->inner, p->n, mem));
     FMB_TRY(fmb_rationals_new(&p->x, p->n, mem));

@@ -4,56 +4,45 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* ---- life ------------------------------------------------------------------------------------ */
+
+/* The arrays of places. */
+static fmb_status hold_places(fmb_basis *b, bool get)
+{
+    const size_t d = b->most_d;
+    return FMB_ARRAYS(b->mem, get, FMB_ARRAY(b->basic, d), FMB_ARRAY(b->old, d),
+                      FMB_ARRAY(b->edge, d), FMB_ARRAY_ZERO(b->value, d),
+                      FMB_ARRAY_ZERO(b->normal, d), FMB_ARRAY(b->entry, d), FMB_ARRAY(b->rest, d),
+                      FMB_ARRAY(b->length, d), FMB_ARRAY_ZERO(b->is_mirrored, d));
+}
+
+/* Those of columns. */
+static fmb_status hold_columns(fmb_basis *b, bool get)
+{
+    const size_t n = b->capacity;
+    return FMB_ARRAYS(b->mem, get, FMB_ARRAY(b->at, b->most_d * n), FMB_ARRAY(b->range, n),
+                      FMB_ARRAY(b->is_high, n), FMB_ARRAY(b->is_basic, n), FMB_ARRAY(b->price, n),
+                      FMB_ARRAY(b->gain, n), FMB_ARRAY(b->cost, n), FMB_ARRAY(b->candidate, n));
+}
 
 fmb_status fmb_basis_init(fmb_basis *b, fmb_mem *mem, const fmb_kernels *kernels, size_t d)
 {
     *b = (fmb_basis){.mem = mem, .kernels = kernels, .d = d, .most_d = d};
-    b->basic = fmb_mem_get(mem, d, sizeof *b->basic);
-    b->old = fmb_mem_get(mem, d, sizeof *b->old);
-    fmb_status st = fmb_dense_inverse_init(&b->inverse, mem, kernels, d);
-    b->edge = fmb_mem_get(mem, d, sizeof *b->edge);
-    b->value = fmb_mem_zero(mem, d, sizeof *b->value);
-    b->normal = fmb_mem_zero(mem, d, sizeof *b->normal);
-    b->entry = fmb_mem_get(mem, d, sizeof *b->entry);
-    b->rest = fmb_mem_get(mem, d, sizeof *b->rest);
-    b->length = fmb_mem_get(mem, d, sizeof *b->length);
-    b->is_mirrored = fmb_mem_zero(mem, d, sizeof *b->is_mirrored);
-    if (!b->basic || !b->old || !b->edge || !b->value || !b->normal || !b->entry || !b->rest ||
-        !b->length || !b->is_mirrored)
-        return fmb_mem_status(mem);
-    if (st == FMB_OK)
-        fmb_basis_restart(b, d);
-    return st;
-}
-
-static void free_columns(fmb_basis *b)
-{
-    fmb_mem_put(b->mem, b->at, b->most_d * b->capacity, sizeof *b->at);
-    fmb_mem_put(b->mem, b->range, b->capacity, sizeof *b->range);
-    fmb_mem_put(b->mem, b->is_high, b->capacity, sizeof *b->is_high);
-    fmb_mem_put(b->mem, b->is_basic, b->capacity, sizeof *b->is_basic);
-    fmb_mem_put(b->mem, b->price, b->capacity, sizeof *b->price);
-    fmb_mem_put(b->mem, b->gain, b->capacity, sizeof *b->gain);
-    fmb_mem_put(b->mem, b->candidate, b->capacity, sizeof *b->candidate);
-    fmb_mem_put(b->mem, b->cost, b->capacity, sizeof *b->cost);
+    FMB_TRY(hold_places(b, true));
+    FMB_TRY(fmb_dense_inverse_init(&b->inverse, mem, kernels, d));
+    fmb_basis_restart(b, d);
+    return FMB_OK;
 }
 
 void fmb_basis_clear(fmb_basis *b)
 {
     if (!b->mem)
         return;
-    free_columns(b);
-    fmb_mem_put(b->mem, b->basic, b->most_d, sizeof *b->basic);
-    fmb_mem_put(b->mem, b->old, b->most_d, sizeof *b->old);
+    (void)hold_columns(b, false);
+    (void)hold_places(b, false);
     fmb_dense_inverse_clear(&b->inverse, b->mem);
-    fmb_mem_put(b->mem, b->edge, b->most_d, sizeof *b->edge);
-    fmb_mem_put(b->mem, b->value, b->most_d, sizeof *b->value);
-    fmb_mem_put(b->mem, b->normal, b->most_d, sizeof *b->normal);
-    fmb_mem_put(b->mem, b->entry, b->most_d, sizeof *b->entry);
-    fmb_mem_put(b->mem, b->rest, b->most_d, sizeof *b->rest);
-    fmb_mem_put(b->mem, b->length, b->most_d, sizeof *b->length);
-    fmb_mem_put(b->mem, b->is_mirrored, b->most_d, sizeof *b->is_mirrored);
 }
 
 /* Columns lie by row, so each row moves. */
@@ -61,18 +50,9 @@ fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
 {
     fmb_basis old = *b;
     b->capacity = capacity;
-    b->at = fmb_mem_get(b->mem, b->most_d * capacity, sizeof *b->at);
-    b->range = fmb_mem_get(b->mem, capacity, sizeof *b->range);
-    b->is_high = fmb_mem_get(b->mem, capacity, sizeof *b->is_high);
-    b->is_basic = fmb_mem_get(b->mem, capacity, sizeof *b->is_basic);
-    b->price = fmb_mem_get(b->mem, capacity, sizeof *b->price);
-    b->gain = fmb_mem_get(b->mem, capacity, sizeof *b->gain);
-    b->cost = fmb_mem_get(b->mem, capacity, sizeof *b->cost);
-    b->candidate = fmb_mem_get(b->mem, capacity, sizeof *b->candidate);
-    if (!b->at || !b->range || !b->is_high || !b->is_basic || !b->price || !b->gain || !b->cost ||
-        !b->candidate) {
-        fmb_status st = fmb_mem_status(b->mem);
-        free_columns(b);
+    fmb_status st = hold_columns(b, true);
+    if (st != FMB_OK) {
+        (void)hold_columns(b, false);
         *b = old;
         return st;
     }
@@ -85,7 +65,7 @@ fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
         memcpy(b->gain, old.gain, old.size * sizeof *b->gain);
         memcpy(b->cost, old.cost, old.size * sizeof *b->cost);
     }
-    free_columns(&old);
+    (void)hold_columns(&old, false);
     return FMB_OK;
 }
 

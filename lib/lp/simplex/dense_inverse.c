@@ -4,24 +4,22 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 fmb_status fmb_dense_inverse_init(fmb_dense_inverse *v, fmb_mem *mem, const fmb_kernels *kernels,
                                   size_t n)
 {
     *v = (fmb_dense_inverse){.kernels = kernels, .most_n = n};
-    v->at = fmb_mem_get(mem, n * n, sizeof *v->at);
-    v->work = fmb_mem_get(mem, n, sizeof *v->work);
-    v->is_unit = fmb_mem_get(mem, n, sizeof *v->is_unit);
-    if (!v->at || !v->work || !v->is_unit)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_ARRAYS(mem, true, FMB_ARRAY(v->at, n * n), FMB_ARRAY(v->work, n),
+                       FMB_ARRAY(v->is_unit, n)));
     fmb_dense_inverse_restart(v, n);
     return FMB_OK;
 }
 
 void fmb_dense_inverse_clear(fmb_dense_inverse *v, fmb_mem *mem)
 {
-    fmb_mem_put(mem, v->at, v->most_n * v->most_n, sizeof *v->at);
-    fmb_mem_put(mem, v->work, v->most_n, sizeof *v->work);
-    fmb_mem_put(mem, v->is_unit, v->most_n, sizeof *v->is_unit);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(v->at, v->most_n * v->most_n), FMB_ARRAY(v->work, v->most_n),
+                   FMB_ARRAY(v->is_unit, v->most_n));
 }
 
 void fmb_dense_inverse_restart(fmb_dense_inverse *v, size_t n)

@@ -22,6 +22,8 @@
 
 #include <math.h>
 
+#include "base/arrays.h"
+
 /* A pivot is at least this large, where the largest of its row is about 1. */
 #define LEAST_PIVOT 0.1
 /* Multipliers may become negative by so much. */
@@ -176,13 +178,10 @@ fmb_status fmb_first_basis(fmb_simplex_state *o)
     equality_list t = {.o = o, .member = o->basis.old};
     if (!may_any_come_in(o))
         return FMB_OK;
-    t.count = fmb_mem_zero(mem, o->n, sizeof *t.count);
-    t.sum = fmb_mem_zero(mem, o->n, sizeof *t.sum);
-    t.lone = fmb_mem_get(mem, o->n, sizeof *t.lone);
-    bool all = t.count && t.sum && t.lone;
-    fmb_status st = all ? find_first_basis(&t) : fmb_mem_status(mem);
-    fmb_mem_put(mem, t.count, o->n, sizeof *t.count);
-    fmb_mem_put(mem, t.sum, o->n, sizeof *t.sum);
-    fmb_mem_put(mem, t.lone, o->n, sizeof *t.lone);
+    const fmb_array arrays[] = {FMB_ARRAY_ZERO(t.count, o->n), FMB_ARRAY_ZERO(t.sum, o->n),
+                                FMB_ARRAY(t.lone, o->n)};
+    fmb_status st = fmb_arrays(mem, true, FMB_ALL(arrays));
+    FMB_THEN(st, find_first_basis(&t));
+    (void)fmb_arrays(mem, false, FMB_ALL(arrays));
     return st;
 }

@@ -4,38 +4,38 @@
 #include <assert.h>
 #include <math.h>
 
+#include "base/arrays.h"
+
 /* Rows of the basis that are off by more show that it is inexact. */
 #define INEXACT 1e-8
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static fmb_status reserve_for_members(fmb_simplex_state *o)
+static fmb_status hold_arrays_of_members(fmb_simplex_state *o, bool get)
+{
+    const size_t n = o->n;
+    return FMB_ARRAYS(o->f->run->mem, get, FMB_ARRAY_ZERO(o->y, n), FMB_ARRAY_ZERO(o->cost, n),
+                      FMB_ARRAY(o->given, n), FMB_ARRAY(o->edge_weight, n),
+                      FMB_ARRAY(o->member_role, n), FMB_ARRAY(o->falling, n));
+}
+
+static fmb_status open_members(fmb_simplex_state *o)
 {
     fmb_mem *mem = o->f->run->mem;
-    size_t n = o->n;
-    o->y = fmb_mem_zero(mem, n, sizeof *o->y);
-    o->cost = fmb_mem_zero(mem, n, sizeof *o->cost);
-    o->given = fmb_mem_get(mem, n, sizeof *o->given);
-    o->edge_weight = fmb_mem_get(mem, n, sizeof *o->edge_weight);
-    o->member_role = fmb_mem_get(mem, n, sizeof *o->member_role);
-    o->falling = fmb_mem_get(mem, n, sizeof *o->falling);
-    if (!o->y || !o->cost || !o->given || !o->edge_weight || !o->member_role || !o->falling)
-        return fmb_mem_status(mem);
-    memset(o->member_role, FMB_ROLE_FREE, n);
-    fmb_status st = fmb_indexed_vector_resize(&o->entry, mem, n);
-    return st == FMB_OK ? fmb_indexed_vector_resize(&o->edge, mem, n) : st;
+    FMB_TRY(hold_arrays_of_members(o, true));
+    memset(o->member_role, FMB_ROLE_FREE, o->n);
+    FMB_TRY(fmb_indexed_vector_resize(&o->entry, mem, o->n));
+    return fmb_indexed_vector_resize(&o->edge, mem, o->n);
 }
 
 fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors)
 {
     *o = (fmb_simplex_state){.f = f, .n = f->n};
     o->basis.f = o->columns.f = o->basis.lu.f = f;
-    fmb_status st = fmb_basis_inverse_init(&o->basis, f, factors);
-    if (st == FMB_OK)
-        st = fmb_columns_init(&o->columns, f);
-    if (st == FMB_OK)
-        st = reserve_for_members(o);
-    return st == FMB_OK ? fmb_simplex_state_grow(o) : st;
+    FMB_TRY(fmb_basis_inverse_init(&o->basis, f, factors));
+    FMB_TRY(fmb_columns_init(&o->columns, f));
+    FMB_TRY(open_members(o));
+    return fmb_simplex_state_grow(o);
 }
 
 void fmb_simplex_state_clear(fmb_simplex_state *o)
@@ -46,42 +46,25 @@ void fmb_simplex_state_clear(fmb_simplex_state *o)
     fmb_indexed_vector_free(&o->entry, mem);
     fmb_indexed_vector_free(&o->edge, mem);
     fmb_indexed_vector_free(&o->rate, mem);
-    fmb_mem_put(mem, o->y, o->n, sizeof *o->y);
-    fmb_mem_put(mem, o->cost, o->n, sizeof *o->cost);
-    fmb_mem_put(mem, o->given, o->n, sizeof *o->given);
-    fmb_mem_put(mem, o->edge_weight, o->n, sizeof *o->edge_weight);
-    fmb_mem_put(mem, o->member_role, o->n, sizeof *o->member_role);
-    fmb_mem_put(mem, o->falling, o->n, sizeof *o->falling);
-    fmb_mem_put(mem, o->right, o->right_room, sizeof *o->right);
-    fmb_mem_put(mem, o->slack, o->slack_room, sizeof *o->slack);
-    fmb_mem_put(mem, o->row_weight, o->row_weight_room, sizeof *o->row_weight);
-    fmb_mem_put(mem, o->row_role, o->row_role_room, sizeof *o->row_role);
-    fmb_mem_put(mem, o->violated, o->violated_room, sizeof *o->violated);
-    fmb_mem_put(mem, o->is_listed, o->listed_room, sizeof *o->is_listed);
+    (void)hold_arrays_of_members(o, false);
+    FMB_ARRAYS_PUT(
+        mem, FMB_ARRAY(o->right, o->right_room), FMB_ARRAY(o->slack, o->slack_room),
+        FMB_ARRAY(o->row_weight, o->row_weight_room), FMB_ARRAY(o->row_role, o->row_role_room),
+        FMB_ARRAY(o->violated, o->violated_room), FMB_ARRAY(o->is_listed, o->listed_room));
 }
 
 fmb_status fmb_simplex_state_grow(fmb_simplex_state *o)
 {
     fmb_mem *mem = o->f->run->mem;
     size_t m = o->f->m;
-    fmb_status st = fmb_mem_reserve(mem, (void **)&o->right, &o->right_room, m, sizeof *o->right);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&o->slack, &o->slack_room, m, sizeof *o->slack);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&o->row_weight, &o->row_weight_room, m,
-                             sizeof *o->row_weight);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&o->row_role, &o->row_role_room, m, sizeof *o->row_role);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&o->violated, &o->violated_room, m, sizeof *o->violated);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&o->is_listed, &o->listed_room, m, sizeof *o->is_listed);
-    if (st == FMB_OK)
-        st = fmb_indexed_vector_resize(&o->rate, mem, m);
-    if (st == FMB_OK)
-        st = fmb_columns_grow(&o->columns);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(FMB_RESERVE(mem, &o->right, &o->right_room, m));
+    FMB_TRY(FMB_RESERVE(mem, &o->slack, &o->slack_room, m));
+    FMB_TRY(FMB_RESERVE(mem, &o->row_weight, &o->row_weight_room, m));
+    FMB_TRY(FMB_RESERVE(mem, &o->row_role, &o->row_role_room, m));
+    FMB_TRY(FMB_RESERVE(mem, &o->violated, &o->violated_room, m));
+    FMB_TRY(FMB_RESERVE(mem, &o->is_listed, &o->listed_room, m));
+    FMB_TRY(fmb_indexed_vector_resize(&o->rate, mem, m));
+    FMB_TRY(fmb_columns_grow(&o->columns));
     for (size_t i = o->m; i < m; i++) {
         o->right[i] = o->f->right[i];
         o->slack[i] = 0;

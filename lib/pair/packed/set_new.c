@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/arrays.h"
 #include "base/sized.h"
 #include "frame/frame_private.h"
 #include "pair/corner_edges.h"
@@ -73,12 +74,10 @@ void fmb_frames_free(fmb_frames *s)
     if (!s)
         return;
     fmb_mem mem = s->mem;
-    fmb_mem_put(&mem, s->kind, s->n, sizeof *s->kind);
-    fmb_mem_put(&mem, s->order, s->n, sizeof *s->order);
-    fmb_mem_put(&mem, s->room, s->room_size, sizeof *s->room);
-    fmb_mem_put(&mem, s->bounds, 2 * (size_t)s->dim * s->eights, sizeof *s->bounds);
-    fmb_mem_put(&mem, s->beside, s->beside_size, sizeof *s->beside);
-    fmb_mem_put(&mem, s->given, s->n, sizeof *s->given);
+    FMB_ARRAYS_PUT(&mem, FMB_ARRAY(s->kind, s->n), FMB_ARRAY(s->order, s->n),
+                   FMB_ARRAY(s->room, s->room_size),
+                   FMB_ARRAY(s->bounds, 2 * (size_t)s->dim * s->eights),
+                   FMB_ARRAY(s->beside, s->beside_size), FMB_ARRAY(s->given, s->n));
     fmb_mem_put(&mem, s, 1, sizeof *s);
 }
 

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/arrays.h"
 #include "symmetry/group.h"
 #include "symmetry/row_images.h"
 #include "system/system_private.h"
@@ -90,15 +91,18 @@ typedef struct part_images {
     uint32_t *row;   /* [rows] of the part, of each row of the system; UINT32_MAX: none */
 } part_images;
 
+static fmb_status hold_part_images(part_images *x, bool get)
+{
+    const size_t n = (size_t)x->p->n;
+    return FMB_ARRAYS(x->q->run.mem, get, FMB_ARRAY_ZERO(x->keeps, n),
+                      FMB_ARRAY(x->image, n + x->p->m),
+                      FMB_ARRAY(x->row, fmb_system_rows(x->q->s)));
+}
+
 static fmb_status open_part_images(part_images *x, const int *column, size_t k)
 {
-    fmb_mem *mem = x->q->run.mem;
-    size_t n = (size_t)x->p->n, rows = fmb_system_rows(x->q->s);
-    x->keeps = fmb_mem_zero(mem, n, sizeof *x->keeps);
-    x->image = fmb_mem_get(mem, n + x->p->m, sizeof *x->image);
-    x->row = fmb_mem_get(mem, rows, sizeof *x->row);
-    if (!x->keeps || !x->image || !x->row)
-        return fmb_mem_status(mem);
+    size_t rows = fmb_system_rows(x->q->s);
+    FMB_TRY(hold_part_images(x, true));
     for (size_t j = 0; j < k; j++)
         x->keeps[column[j]] = true;
     for (size_t i = 0; i < rows; i++)
@@ -106,15 +110,6 @@ static fmb_status open_part_images(part_images *x, const int *column, size_t k)
     for (size_t i = 0; i < x->p->m; i++)
         x->row[x->p->source[i]] = (uint32_t)i;
     return FMB_OK;
-}
-
-static void close_part_images(part_images *x)
-{
-    fmb_mem *mem = x->q->run.mem;
-    size_t n = (size_t)x->p->n;
-    fmb_mem_put(mem, x->row, fmb_system_rows(x->q->s), sizeof *x->row);
-    fmb_mem_put(mem, x->image, n + x->p->m, sizeof *x->image);
-    fmb_mem_put(mem, x->keeps, n, sizeof *x->keeps);
 }
 
 /* x->image of what moved[] says; false where it leads out of the part. */
@@ -149,7 +144,7 @@ fmb_status fmb_symmetries_of_part(fmb_query *q, int part, const int *column, siz
     for (size_t g = 0; st == FMB_OK && g < q->v->symmetries->size; g++)
         if (is_moved_within_part(&x, q->v->moved + g * length))
             st = fmb_group_add(out, &q->program[part], x.keeps, x.image, &fits);
-    close_part_images(&x);
+    (void)hold_part_images(&x, false);
     return st;
 }
 
@@ -273,12 +268,12 @@ fmb_status fmb_rows_classes(const fmb_system *projection, const fmb_permutations
         return FMB_ERR_ARG;
     size_t dim = (size_t)p->dim, m = fmb_system_rows(projection);
     fmb_mem_init(&mem, &projection->mem.alloc, 0);
-    int *place = fmb_mem_get(&mem, dim, sizeof *place);
-    int *image = fmb_mem_get(&mem, (size_t)n, sizeof *image);
-    size_t *found = fmb_mem_get(&mem, m, sizeof *found);
+    int *place = NULL, *image = NULL;
+    size_t *found = NULL;
+    const fmb_array arrays[] = {FMB_ARRAY(place, dim), FMB_ARRAY(image, (size_t)n),
+                                FMB_ARRAY(found, m)};
     fmb_status st = fmb_row_images_init(&t, projection, &mem);
-    if (st == FMB_OK && !(place && image && found))
-        st = FMB_ERR_MEMORY;
+    FMB_THEN(st, fmb_arrays(&mem, true, FMB_ALL(arrays)));
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         found[i] = i;
     if (st == FMB_OK)
@@ -286,8 +281,6 @@ fmb_status fmb_rows_classes(const fmb_system *projection, const fmb_permutations
     if (st == FMB_OK && m > 0)
         memcpy(class_of, found, m * sizeof *found);
     fmb_row_images_clear(&t);
-    fmb_mem_put(&mem, found, m, sizeof *found);
-    fmb_mem_put(&mem, image, (size_t)n, sizeof *image);
-    fmb_mem_put(&mem, place, dim, sizeof *place);
+    (void)fmb_arrays(&mem, false, FMB_ALL(arrays));
     return st;
 }

@@ -15,6 +15,7 @@
  */
 #include "solve/project/canonical.h"
 
+#include "base/arrays.h"
 #include "num/gcd.h"
 #include "num/integers.h"
 #include "num/rationals.h"
@@ -33,16 +34,19 @@ typedef struct echelon {
 
 /* ---- equations ------------------------------------------------------------------------------- */
 
+static fmb_status hold_arrays(echelon *e, bool get)
+{
+    return FMB_ARRAYS(e->c->q->run.mem, get, FMB_ARRAY_ZERO(e->row, e->size),
+                      FMB_ARRAY_ZERO(e->of, e->size), FMB_ARRAY(e->at, e->size),
+                      FMB_ARRAY(e->pivot, e->size));
+}
+
 static fmb_status open_echelon(echelon *e)
 {
     fmb_mem *mem = e->c->q->run.mem;
     bool claims = e->c->q->claims != NULL;
     mpz_inits(e->p, e->a, e->g, NULL);
-    e->row = fmb_mem_zero(mem, e->size, sizeof *e->row);
-    e->of = fmb_mem_zero(mem, e->size, sizeof *e->of);
-    e->at = fmb_mem_get(mem, e->size, sizeof *e->at);
-    e->pivot = fmb_mem_get(mem, e->size, sizeof *e->pivot);
-    fmb_status st = e->row && e->of && e->at && e->pivot ? FMB_OK : fmb_mem_status(mem);
+    fmb_status st = hold_arrays(e, true);
     for (size_t i = 0, k = 0; st == FMB_OK && i < e->c->image->rows; i++) {
         if (e->c->image->row[i].rel != FMB_EQ)
             continue;
@@ -67,10 +71,7 @@ static void close_echelon(echelon *e)
         fmb_integers_clear(&e->row[k], mem);
         fmb_rationals_free(e->of[k], e->size, mem);
     }
-    fmb_mem_put(mem, e->row, e->size, sizeof *e->row);
-    fmb_mem_put(mem, e->of, e->size, sizeof *e->of);
-    fmb_mem_put(mem, e->at, e->size, sizeof *e->at);
-    fmb_mem_put(mem, e->pivot, e->size, sizeof *e->pivot);
+    (void)hold_arrays(e, false);
     mpz_clears(e->p, e->a, e->g, NULL);
 }
 

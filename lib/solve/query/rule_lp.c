@@ -5,6 +5,7 @@
  */
 #include "solve/query/rule_lp.h"
 
+#include "base/arrays.h"
 #include "elim/rules/view.h"
 #include "lp/redundancy/active_set/implied.h"
 #include "lp/redundancy/irredundant.h"
@@ -31,25 +32,11 @@ typedef struct patience {
     size_t next; /* rows from which on it looks again; 0: it has not looked */
 } patience;
 
-static void free_row_lists(rows *a, fmb_mem *mem)
+static fmb_status hold_row_lists(rows *a, fmb_mem *mem, bool get)
 {
-    fmb_mem_put(mem, a->row, a->room, sizeof *a->row);
-    fmb_mem_put(mem, a->fate, a->room, sizeof *a->fate);
-    fmb_mem_put(mem, a->place, a->room, sizeof *a->place);
-    fmb_mem_put(mem, a->gone, a->room, sizeof *a->gone);
-    fmb_mem_put(mem, a->kept, a->room, sizeof *a->kept);
-}
-
-static fmb_status allocate_row_lists(rows *a, fmb_mem *mem, size_t room)
-{
-    *a = (rows){.room = room};
-    a->row = fmb_mem_get(mem, room, sizeof *a->row);
-    a->fate = fmb_mem_get(mem, room, sizeof *a->fate);
-    a->place = fmb_mem_get(mem, room, sizeof *a->place);
-    a->gone = fmb_mem_zero(mem, room, sizeof *a->gone);
-    a->kept = fmb_mem_zero(mem, room, sizeof *a->kept);
-    bool got = a->row && a->fate && a->place && a->gone && a->kept;
-    return got ? FMB_OK : fmb_mem_status(mem);
+    return FMB_ARRAYS(mem, get, FMB_ARRAY(a->row, a->room), FMB_ARRAY(a->fate, a->room),
+                      FMB_ARRAY(a->place, a->room), FMB_ARRAY_ZERO(a->gone, a->room),
+                      FMB_ARRAY_ZERO(a->kept, a->room));
 }
 
 /* List the live rows that are not dropped yet. */
@@ -102,7 +89,7 @@ static void close_look(void *self)
 {
     look *l = self;
     fmb_lp_sorting_clear(&l->sorting);
-    free_row_lists(&l->at, l->mem);
+    (void)hold_row_lists(&l->at, l->mem, false);
     fmb_mem_put(l->mem, l, 1, sizeof *l);
 }
 
@@ -114,7 +101,8 @@ static fmb_status open_look(const fmb_view *w, const bool *drop, look **opened)
     if (!l)
         return fmb_mem_status(mem);
     l->mem = mem;
-    fmb_status st = allocate_row_lists(&l->at, mem, fmb_view_rows(w));
+    l->at.room = fmb_view_rows(w);
+    fmb_status st = hold_row_lists(&l->at, mem, true);
     l->sorting =
         (fmb_sorting){.gone = l->at.gone, .kept = l->at.kept, .known = true, .pauses = e->pauses};
     if (st == FMB_OK)

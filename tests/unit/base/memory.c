@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/arrays.h"
 
 Test(mem, counts_what_is_alive)
 {
@@ -148,6 +149,42 @@ Test(arena, reserve_moves_the_contents)
     for (int i = 0; i < 5000; i++)
         cr_assert_eq(p[i], -i);
     fmb_arena_clear(&a);
+}
+
+typedef struct body {
+    int *place;
+    double *weight;
+    char *met;
+} body;
+
+static fmb_status hold_body(fmb_mem *m, body *b, bool get)
+{
+    return FMB_ARRAYS(m, get, FMB_ARRAY(b->place, 10), FMB_ARRAY_ZERO(b->weight, 20),
+                      FMB_ARRAY(b->met, 0));
+}
+
+/* All, or those that there is memory for: what was got can be put either way, and once more. */
+Test(arrays, come_and_go_together)
+{
+    const size_t whole = 10 * sizeof(int) + 20 * sizeof(double) + 1;
+    for (size_t limit = 1; limit <= whole; limit++) {
+        body b;
+        fmb_mem m;
+        fmb_mem_init(&m, NULL, limit);
+        fmb_status st = hold_body(&m, &b, true);
+        cr_assert_eq(st, limit < whole ? FMB_LIMIT : FMB_OK);
+        cr_assert(!b.place == (limit < 10 * sizeof(int)) && !b.met == (st != FMB_OK));
+        for (int i = 0; b.weight && i < 20; i++)
+            cr_assert_eq(b.weight[i], 0);
+        cr_assert_eq(m.used, st == FMB_OK ? whole
+                             : b.weight   ? whole - 1
+                             : b.place    ? 10 * sizeof(int)
+                                          : 0);
+        for (int k = 0; k < 2; k++) {
+            cr_assert_eq(hold_body(&m, &b, false), FMB_OK);
+            cr_assert(m.used == 0 && !b.place && !b.weight && !b.met);
+        }
+    }
 }
 
 Test(words, every_status_verdict_and_stop_has_one)

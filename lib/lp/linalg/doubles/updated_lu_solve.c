@@ -1,6 +1,8 @@
 /* updated_lu_solve.c: see updated_lu.h. */
 #include "lp/linalg/doubles/updated_lu.h"
 
+#include "base/arrays.h"
+
 /* What list k holds under index i is in list step_of[i] of *to under place[k]. */
 static fmb_status transpose_rows(const fmb_updated_lu *u, const fmb_compressed_rows *from,
                                  const int *step_of, fmb_compressed_rows *to)
@@ -37,32 +39,25 @@ static fmb_compressed_rows *find_list(fmb_updated_lu *u, size_t k)
                                           &u->beside,          &u->activated}[k];
 }
 
+static fmb_status hold_arrays_of_lu(fmb_updated_lu *u, bool get)
+{
+    const size_t n = u->n;
+    return FMB_ARRAYS(u->f->run->mem, get, FMB_ARRAY(u->member, n), FMB_ARRAY(u->singleton, n),
+                      FMB_ARRAY(u->singleton_of, n), FMB_ARRAY(u->reciprocal, n),
+                      FMB_ARRAY(u->rests, n), FMB_ARRAY(u->resting, n), FMB_ARRAY(u->latest, n),
+                      FMB_ARRAY(u->place, n), FMB_ARRAY(u->column, n),
+                      FMB_ARRAY(u->step_of_place, n), FMB_ARRAY(u->step_of_column, n),
+                      FMB_ARRAY(u->pivot, n), FMB_ARRAY_ZERO(u->marks, n / 64 + 1));
+}
+
 fmb_status fmb_updated_lu_init(fmb_updated_lu *u, const fmb_scaled_program *f)
 {
     fmb_mem *mem = f->run->mem;
-    size_t n = f->n;
-    *u = (fmb_updated_lu){.f = f, .n = n};
+    *u = (fmb_updated_lu){.f = f, .n = f->n};
     fmb_arena_init(&u->arena, mem);
-    u->member = fmb_mem_get(mem, n, sizeof *u->member);
-    u->singleton = fmb_mem_get(mem, n, sizeof *u->singleton);
-    u->singleton_of = fmb_mem_get(mem, n, sizeof *u->singleton_of);
-    u->reciprocal = fmb_mem_get(mem, n, sizeof *u->reciprocal);
-    u->rests = fmb_mem_get(mem, n, sizeof *u->rests);
-    u->resting = fmb_mem_get(mem, n, sizeof *u->resting);
-    u->latest = fmb_mem_get(mem, n, sizeof *u->latest);
-    u->place = fmb_mem_get(mem, n, sizeof *u->place);
-    u->column = fmb_mem_get(mem, n, sizeof *u->column);
-    u->step_of_place = fmb_mem_get(mem, n, sizeof *u->step_of_place);
-    u->step_of_column = fmb_mem_get(mem, n, sizeof *u->step_of_column);
-    u->pivot = fmb_mem_get(mem, n, sizeof *u->pivot);
-    u->marks = fmb_mem_zero(mem, n / 64 + 1, sizeof *u->marks);
-    if (!u->member || !u->singleton || !u->singleton_of || !u->reciprocal || !u->rests ||
-        !u->resting || !u->latest || !u->place || !u->column || !u->step_of_place ||
-        !u->step_of_column || !u->pivot || !u->marks)
-        return fmb_mem_status(mem);
-    fmb_status st = FMB_OK;
+    fmb_status st = hold_arrays_of_lu(u, true);
     for (size_t k = 0; st == FMB_OK && k < LISTS; k++)
-        st = fmb_compressed_rows_reserve_starts(find_list(u, k), mem, n);
+        st = fmb_compressed_rows_reserve_starts(find_list(u, k), mem, u->n);
     return st;
 }
 
@@ -72,19 +67,7 @@ void fmb_updated_lu_clear(fmb_updated_lu *u)
     for (size_t k = 0; k < LISTS; k++)
         fmb_compressed_rows_free(find_list(u, k), mem);
     fmb_arena_clear(&u->arena);
-    fmb_mem_put(mem, u->member, u->n, sizeof *u->member);
-    fmb_mem_put(mem, u->singleton, u->n, sizeof *u->singleton);
-    fmb_mem_put(mem, u->singleton_of, u->n, sizeof *u->singleton_of);
-    fmb_mem_put(mem, u->reciprocal, u->n, sizeof *u->reciprocal);
-    fmb_mem_put(mem, u->rests, u->n, sizeof *u->rests);
-    fmb_mem_put(mem, u->resting, u->n, sizeof *u->resting);
-    fmb_mem_put(mem, u->latest, u->n, sizeof *u->latest);
-    fmb_mem_put(mem, u->place, u->n, sizeof *u->place);
-    fmb_mem_put(mem, u->column, u->n, sizeof *u->column);
-    fmb_mem_put(mem, u->step_of_place, u->n, sizeof *u->step_of_place);
-    fmb_mem_put(mem, u->step_of_column, u->n, sizeof *u->step_of_column);
-    fmb_mem_put(mem, u->pivot, u->n, sizeof *u->pivot);
-    fmb_mem_put(mem, u->marks, u->n / 64 + 1, sizeof *u->marks);
+    (void)hold_arrays_of_lu(u, false);
     fmb_mem_put(mem, u->eta, u->eta_room, sizeof *u->eta);
 }
 

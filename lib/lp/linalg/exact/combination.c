@@ -1,28 +1,29 @@
 /* combination.c: see combination.h. */
 #include "lp/linalg/exact/combination.h"
 
+#include "base/arrays.h"
 #include "lp/linalg/exact/hadamard.h"
 #include "num/gcd.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
+
+static fmb_status hold_arrays_of_combination(fmb_combination *c, bool get)
+{
+    const size_t n = c->n;
+    return FMB_ARRAYS(c->mem, get, FMB_ARRAY(c->index, n), FMB_ARRAY(c->column, n),
+                      FMB_ARRAY(c->matrix, n * (n + 1)), FMB_ARRAY(c->inverse, n),
+                      FMB_ARRAY(c->digit, n), FMB_ARRAY(c->sum, n));
+}
 
 fmb_status fmb_combination_init(fmb_combination *c, fmb_mem *mem, size_t n, const fmb_lp_row *row)
 {
     *c = (fmb_combination){.mem = mem, .n = n, .row = row, .q = fmb_prime_number(0)};
     mpz_inits(c->all, c->left, c->power, c->s, c->t, c->u, c->v, NULL);
     fmb_rational_init(&c->rational);
-    c->index = fmb_mem_get(mem, n, sizeof *c->index);
-    c->column = fmb_mem_get(mem, n, sizeof *c->column);
-    c->matrix = fmb_mem_get(mem, n * (n + 1), sizeof *c->matrix);
-    c->inverse = fmb_mem_get(mem, n, sizeof *c->inverse);
-    c->digit = fmb_mem_get(mem, n, sizeof *c->digit);
-    c->sum = fmb_mem_get(mem, n, sizeof *c->sum);
+    FMB_TRY(hold_arrays_of_combination(c, true));
     c->part = fmb_vec_block(n, mem);
     c->rest = fmb_vec_block(n, mem);
-    return c->index && c->column && c->matrix && c->inverse && c->digit && c->sum && c->part &&
-                   c->rest
-               ? FMB_OK
-               : fmb_mem_status(mem);
+    return c->part && c->rest ? FMB_OK : fmb_mem_status(mem);
 }
 
 void fmb_combination_clear(fmb_combination *c)
@@ -32,12 +33,7 @@ void fmb_combination_clear(fmb_combination *c)
         return;
     mpz_clears(c->all, c->left, c->power, c->s, c->t, c->u, c->v, NULL);
     fmb_rational_clear(&c->rational);
-    fmb_mem_put(c->mem, c->index, n, sizeof *c->index);
-    fmb_mem_put(c->mem, c->column, n, sizeof *c->column);
-    fmb_mem_put(c->mem, c->matrix, n * (n + 1), sizeof *c->matrix);
-    fmb_mem_put(c->mem, c->inverse, n, sizeof *c->inverse);
-    fmb_mem_put(c->mem, c->digit, n, sizeof *c->digit);
-    fmb_mem_put(c->mem, c->sum, n, sizeof *c->sum);
+    (void)hold_arrays_of_combination(c, false);
     fmb_vec_block_free(c->part, n, c->mem);
     fmb_vec_block_free(c->rest, n, c->mem);
     c->mem = NULL;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "lp/simplex/simplex.h"
 
 /* Numbers below these are taken for rounding errors, in multipliers and in pivots: inputs are about
@@ -42,29 +43,26 @@ void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem)
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
+static fmb_status hold_arrays_of_search(fmb_active_set *s, bool get)
+{
+    const size_t m = s->of->m;
+    return FMB_ARRAYS(s->run->mem, get, FMB_ARRAY_ZERO(s->gone, m), FMB_ARRAY_ZERO(s->kept, m),
+                      FMB_ARRAY(s->target, s->of->d), FMB_ARRAY(s->price, m),
+                      FMB_ARRAY(s->way, s->of->n), FMB_ARRAY(s->speed, m), FMB_ARRAY(s->number, m),
+                      FMB_ARRAY(s->source, m + 1));
+}
+
 fmb_status fmb_active_set_init(fmb_active_set *s, fmb_run *run, const fmb_scaled_rows *of,
                                const fmb_interior_point *seen)
 {
-    fmb_mem *mem = run->mem;
-    size_t m = of->m, d = of->d;
-    *s = (fmb_active_set){.run = run, .of = of, .seen = seen, .inactive = m};
-    fmb_status st = fmb_basis_init(&s->cone, mem, run->kernels, d);
+    *s = (fmb_active_set){.run = run, .of = of, .seen = seen, .inactive = of->m};
+    FMB_TRY(fmb_basis_init(&s->cone, run->mem, run->kernels, of->d));
     s->cone.value_zero = ROUNDING;
     s->cone.entry_zero = LEAST_PIVOT;
-    s->gone = fmb_mem_zero(mem, m, sizeof *s->gone);
-    s->kept = fmb_mem_zero(mem, m, sizeof *s->kept);
-    s->target = fmb_mem_get(mem, d, sizeof *s->target);
-    s->price = fmb_mem_get(mem, m, sizeof *s->price);
-    s->way = fmb_mem_get(mem, of->n, sizeof *s->way);
-    s->speed = fmb_mem_get(mem, m, sizeof *s->speed);
-    s->number = fmb_mem_get(mem, m, sizeof *s->number);
-    s->source = fmb_mem_get(mem, m + 1, sizeof *s->source);
-    if (st != FMB_OK || !s->gone || !s->kept || !s->target || !s->price || !s->way || !s->speed ||
-        !s->number || !s->source)
-        return st != FMB_OK ? st : fmb_mem_status(mem);
-    for (size_t i = 0; i < m; i++)
+    FMB_TRY(hold_arrays_of_search(s, true));
+    for (size_t i = 0; i < of->m; i++)
         s->number[i] = SIZE_MAX;
-    return fmb_rounded_proof_init(&s->proof, mem, d);
+    return fmb_rounded_proof_init(&s->proof, run->mem, of->d);
 }
 
 void fmb_active_set_clear(fmb_active_set *s)
@@ -72,17 +70,9 @@ void fmb_active_set_clear(fmb_active_set *s)
     if (!s->run)
         return;
     fmb_mem *mem = s->run->mem;
-    size_t m = s->of->m;
     fmb_basis_clear(&s->cone);
     fmb_rounded_proof_clear(&s->proof, mem);
-    fmb_mem_put(mem, s->gone, m, sizeof *s->gone);
-    fmb_mem_put(mem, s->kept, m, sizeof *s->kept);
-    fmb_mem_put(mem, s->target, s->of->d, sizeof *s->target);
-    fmb_mem_put(mem, s->price, m, sizeof *s->price);
-    fmb_mem_put(mem, s->way, s->of->n, sizeof *s->way);
-    fmb_mem_put(mem, s->speed, m, sizeof *s->speed);
-    fmb_mem_put(mem, s->number, m, sizeof *s->number);
-    fmb_mem_put(mem, s->source, m + 1, sizeof *s->source);
+    (void)hold_arrays_of_search(s, false);
     fmb_mem_put(mem, s->proved, s->proved_room, sizeof *s->proved);
     s->run = NULL;
 }

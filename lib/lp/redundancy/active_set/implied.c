@@ -16,6 +16,7 @@
 
 #include <math.h>
 
+#include "base/arrays.h"
 #include "base/ways.h"
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/active_set/active_set.h"
@@ -59,8 +60,13 @@ static void copy_entries_of_columns(nonzero_columns *t, const size_t *column, co
     }
 }
 
-/* Rows over n columns, all of them small (num/vec.h). Errors: MEMORY, LIMIT. In any case
- * close_nonzero_columns. */
+static fmb_status hold_nonzero_columns(nonzero_columns *t, bool get)
+{
+    return FMB_ARRAYS(t->mem, get, FMB_ARRAY(t->row, t->m), FMB_ARRAY(t->v, t->m),
+                      FMB_ARRAY(t->entry, t->m * (t->n + 1)));
+}
+
+/* Rows over n columns, all of them small (num/vec.h). Errors: MEMORY, LIMIT. */
 static fmb_status open_nonzero_columns(nonzero_columns *t, fmb_mem *mem, size_t n, size_t m,
                                        const fmb_lp_row *row)
 {
@@ -71,21 +77,11 @@ static fmb_status open_nonzero_columns(nonzero_columns *t, fmb_mem *mem, size_t 
         if (is_column_nonzero_in_rows(j, m, row))
             column[t->n++] = j;
     column[t->n] = n;
-    t->row = fmb_mem_get(mem, m, sizeof *t->row);
-    t->v = fmb_mem_get(mem, m, sizeof *t->v);
-    t->entry = fmb_mem_get(mem, m * (t->n + 1), sizeof *t->entry);
-    bool got = t->row && t->v && t->entry;
-    if (got)
+    fmb_status st = hold_nonzero_columns(t, true);
+    if (st == FMB_OK)
         copy_entries_of_columns(t, column, row);
     fmb_mem_put(mem, column, n + 1, sizeof *column);
-    return got ? FMB_OK : fmb_mem_status(mem);
-}
-
-static void close_nonzero_columns(nonzero_columns *t)
-{
-    fmb_mem_put(t->mem, t->row, t->m, sizeof *t->row);
-    fmb_mem_put(t->mem, t->v, t->m, sizeof *t->v);
-    fmb_mem_put(t->mem, t->entry, t->m * (t->n + 1), sizeof *t->entry);
+    return st;
 }
 
 typedef struct fmb_paused_sorting {
@@ -271,7 +267,7 @@ static void close_sorting(sorting *s)
     fmb_mem_put(mem, s->open, s->rows.m, sizeof *s->open);
     fmb_mem_put(mem, s->used, s->rows.m, sizeof *s->used);
     fmb_scaled_rows_clear(&s->rows, mem);
-    close_nonzero_columns(&s->reduced);
+    (void)hold_nonzero_columns(&s->reduced, false);
     fmb_mem_put(mem, s, 1, sizeof *s);
 }
 

@@ -13,6 +13,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* Sizes [bits], so that the slack (ROW + POINT + 6), the speed towards a row (ROW + WAY + 6), and a
  * product of both fit in 62, 53 and 127 bits: doubles add up speeds without rounding. */
 enum { ROW_BITS = 29, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
@@ -109,16 +111,16 @@ static void write_unit_row(fmb_interior_point *p, size_t i)
     p->unit[p->n * p->m + i] = -(double)a[p->n] * size;
 }
 
+static fmb_status hold_arrays_of_point(fmb_interior_point *p, bool get)
+{
+    return FMB_ARRAYS(p->run->mem, get, FMB_ARRAY_ZERO(p->x, p->n), FMB_ARRAY(p->slack, p->m),
+                      FMB_ARRAY(p->unit, (p->n + 1) * p->m), FMB_ARRAY(p->entry, p->n * p->m),
+                      FMB_ARRAY(p->excess, p->m));
+}
+
 static fmb_status open_inside_point(fmb_interior_point *p)
 {
-    fmb_mem *mem = p->run->mem;
-    p->x = fmb_mem_zero(mem, p->n, sizeof *p->x);
-    p->slack = fmb_mem_get(mem, p->m, sizeof *p->slack);
-    p->unit = fmb_mem_get(mem, (p->n + 1) * p->m, sizeof *p->unit);
-    p->entry = fmb_mem_get(mem, p->n * p->m, sizeof *p->entry);
-    p->excess = fmb_mem_get(mem, p->m, sizeof *p->excess);
-    if (!p->x || !p->slack || !p->unit || !p->entry || !p->excess)
-        return fmb_mem_status(mem);
+    FMB_TRY(hold_arrays_of_point(p, true));
     for (size_t i = 0; i < p->m; i++)
         write_unit_row(p, i);
     return FMB_OK;
@@ -157,12 +159,7 @@ fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found)
 
 void fmb_interior_point_clear(fmb_interior_point *p)
 {
-    fmb_mem *mem = p->run->mem;
-    fmb_mem_put(mem, p->x, p->n, sizeof *p->x);
-    fmb_mem_put(mem, p->slack, p->m, sizeof *p->slack);
-    fmb_mem_put(mem, p->unit, (p->n + 1) * p->m, sizeof *p->unit);
-    fmb_mem_put(mem, p->entry, p->n * p->m, sizeof *p->entry);
-    fmb_mem_put(mem, p->excess, p->m, sizeof *p->excess);
+    (void)hold_arrays_of_point(p, false);
 }
 
 /* How fast the ray comes to each row; false if it goes nowhere. */

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/arrays.h"
 #include "num/gcd.h"
 
 /* Denominators of multipliers, and of all of them together. */
@@ -12,17 +13,14 @@
 fmb_status fmb_rounded_proof_init(fmb_rounded_proof *c, fmb_mem *mem, size_t room)
 {
     *c = (fmb_rounded_proof){.room = room};
-    c->index = fmb_mem_get(mem, room, sizeof *c->index);
-    c->part = fmb_mem_get(mem, room, sizeof *c->part);
-    c->unit = fmb_mem_get(mem, room, sizeof *c->unit);
-    return c->index && c->part && c->unit ? FMB_OK : fmb_mem_status(mem);
+    return FMB_ARRAYS(mem, true, FMB_ARRAY(c->index, room), FMB_ARRAY(c->part, room),
+                      FMB_ARRAY(c->unit, room));
 }
 
 void fmb_rounded_proof_clear(fmb_rounded_proof *c, fmb_mem *mem)
 {
-    fmb_mem_put(mem, c->index, c->room, sizeof *c->index);
-    fmb_mem_put(mem, c->part, c->room, sizeof *c->part);
-    fmb_mem_put(mem, c->unit, c->room, sizeof *c->unit);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(c->index, c->room), FMB_ARRAY(c->part, c->room),
+                   FMB_ARRAY(c->unit, c->room));
 }
 
 void fmb_rounded_proof_begin(fmb_rounded_proof *c)

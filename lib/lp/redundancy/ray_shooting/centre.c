@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* Newton steps at most, and the decrement below which x is near enough to the centre. */
 #define MOST_PULLS    60
 #define MOST_STEPS    16
@@ -26,36 +28,26 @@
 /* Half the cube's side, as a multiple of the rows' median distance. */
 #define ROOMY 64.0
 
+static fmb_status hold_arrays_of_centre(fmb_centre *c, bool get)
+{
+    const size_t n = c->n, m = c->m, wide = n + 1;
+    return FMB_ARRAYS(c->mem, get, FMB_ARRAY(c->at, wide * m), FMB_ARRAY(c->right, m),
+                      FMB_ARRAY_ZERO(c->x, wide), FMB_ARRAY(c->slack, m),
+                      FMB_ARRAY(c->half, wide * wide), FMB_ARRAY(c->way, wide),
+                      FMB_ARRAY(c->speed, m), FMB_ARRAY(c->middle, n));
+}
+
 fmb_status fmb_centre_init(fmb_centre *c, fmb_mem *mem, size_t n, size_t m)
 {
-    size_t wide = n + 1;
     *c = (fmb_centre){.mem = mem, .n = n, .m = m};
-    c->at = fmb_mem_get(mem, wide * m, sizeof *c->at);
-    c->right = fmb_mem_get(mem, m, sizeof *c->right);
-    c->x = fmb_mem_zero(mem, wide, sizeof *c->x);
-    c->slack = fmb_mem_get(mem, m, sizeof *c->slack);
-    c->half = fmb_mem_get(mem, wide * wide, sizeof *c->half);
-    c->way = fmb_mem_get(mem, wide, sizeof *c->way);
-    c->speed = fmb_mem_get(mem, m, sizeof *c->speed);
-    c->middle = fmb_mem_get(mem, n, sizeof *c->middle);
-    return c->at && c->right && c->x && c->slack && c->half && c->way && c->speed && c->middle
-               ? FMB_OK
-               : fmb_mem_status(mem);
+    return hold_arrays_of_centre(c, true);
 }
 
 void fmb_centre_clear(fmb_centre *c)
 {
-    size_t wide = c->n + 1;
     if (!c->mem)
         return;
-    fmb_mem_put(c->mem, c->at, wide * c->m, sizeof *c->at);
-    fmb_mem_put(c->mem, c->right, c->m, sizeof *c->right);
-    fmb_mem_put(c->mem, c->x, wide, sizeof *c->x);
-    fmb_mem_put(c->mem, c->slack, c->m, sizeof *c->slack);
-    fmb_mem_put(c->mem, c->half, wide * wide, sizeof *c->half);
-    fmb_mem_put(c->mem, c->way, wide, sizeof *c->way);
-    fmb_mem_put(c->mem, c->speed, c->m, sizeof *c->speed);
-    fmb_mem_put(c->mem, c->middle, c->n, sizeof *c->middle);
+    (void)hold_arrays_of_centre(c, false);
     c->mem = NULL;
 }
 

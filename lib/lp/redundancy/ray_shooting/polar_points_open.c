@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "lp/redundancy/ray_shooting/centre.h"
 #include "num/gcd.h"
 
@@ -22,49 +23,33 @@ static fmb_status list_nonzero_columns(fmb_polar_points *p)
     return FMB_OK;
 }
 
+static fmb_status hold_points(fmb_polar_points *p, bool get)
+{
+    const size_t d = p->d, m = p->m, blocks = p->blocks;
+    return FMB_ARRAYS(p->mem, get, FMB_ARRAY(p->exponent, d), FMB_ARRAY(p->order, m),
+                      FMB_ARRAY(p->place, m), FMB_ARRAY(p->middle, d * blocks),
+                      FMB_ARRAY(p->radius, blocks), FMB_ARRAY(p->reach, blocks),
+                      FMB_ARRAY(p->point_at, d * m), FMB_ARRAY(p->round, d * m),
+                      FMB_ARRAY(p->size, m), FMB_ARRAY(p->half, d * d), FMB_ARRAY(p->x, d));
+}
+
 static fmb_status allocate_points(fmb_polar_points *p)
 {
-    fmb_mem *mem = p->mem;
-    size_t d = p->d;
-    size_t blocks = p->blocks = (p->m + FMB_SPATIAL_BLOCK - 1) / FMB_SPATIAL_BLOCK;
-    p->exponent = fmb_mem_get(mem, d, sizeof *p->exponent);
-    p->order = fmb_mem_get(mem, p->m, sizeof *p->order);
-    p->place = fmb_mem_get(mem, p->m, sizeof *p->place);
-    p->middle = fmb_mem_get(mem, d * blocks, sizeof *p->middle);
-    p->radius = fmb_mem_get(mem, blocks, sizeof *p->radius);
-    p->reach = fmb_mem_get(mem, blocks, sizeof *p->reach);
-    p->point_at = fmb_mem_get(mem, d * p->m, sizeof *p->point_at);
-    p->round = fmb_mem_get(mem, d * p->m, sizeof *p->round);
-    p->size = fmb_mem_get(mem, p->m, sizeof *p->size);
-    p->half = fmb_mem_get(mem, d * d, sizeof *p->half);
-    p->x = fmb_mem_get(mem, d, sizeof *p->x);
-    for (size_t k = 0; p->x && k < d; k++)
+    p->blocks = (p->m + FMB_SPATIAL_BLOCK - 1) / FMB_SPATIAL_BLOCK;
+    fmb_status st = hold_points(p, true);
+    for (size_t k = 0; p->x && k < p->d; k++)
         mpz_init(p->x[k]);
-    bool blocked = p->order && p->place && p->middle && p->radius && p->reach;
-    bool seen = p->point_at && p->round && p->size && p->half;
-    return blocked && seen && p->exponent && p->x ? FMB_OK : fmb_mem_status(mem);
+    return st;
 }
 
 void fmb_polar_points_clear(fmb_polar_points *p)
 {
-    fmb_mem *mem = p->mem;
-    size_t d = p->d;
-    if (!mem)
+    if (!p->mem)
         return;
-    for (size_t k = 0; p->x && k < d; k++)
+    for (size_t k = 0; p->x && k < p->d; k++)
         mpz_clear(p->x[k]);
-    fmb_mem_put(mem, p->column, p->n, sizeof *p->column);
-    fmb_mem_put(mem, p->exponent, d, sizeof *p->exponent);
-    fmb_mem_put(mem, p->order, p->m, sizeof *p->order);
-    fmb_mem_put(mem, p->place, p->m, sizeof *p->place);
-    fmb_mem_put(mem, p->middle, d * p->blocks, sizeof *p->middle);
-    fmb_mem_put(mem, p->radius, p->blocks, sizeof *p->radius);
-    fmb_mem_put(mem, p->reach, p->blocks, sizeof *p->reach);
-    fmb_mem_put(mem, p->point_at, d * p->m, sizeof *p->point_at);
-    fmb_mem_put(mem, p->round, d * p->m, sizeof *p->round);
-    fmb_mem_put(mem, p->size, p->m, sizeof *p->size);
-    fmb_mem_put(mem, p->half, d * d, sizeof *p->half);
-    fmb_mem_put(mem, p->x, d, sizeof *p->x);
+    fmb_mem_put(p->mem, p->column, p->n, sizeof *p->column);
+    (void)hold_points(p, false);
     p->mem = NULL;
 }
 

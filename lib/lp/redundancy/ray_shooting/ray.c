@@ -4,43 +4,38 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* Bits of the coordinates of a direction: short ones make points of few digits. */
 #define FEW_BITS  20
 #define MOST_BITS 52
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
+static fmb_status hold_arrays_of_ray(fmb_ray *r, bool get)
+{
+    const size_t d = r->p->d;
+    return FMB_ARRAYS(r->run->mem, get, FMB_ARRAY(r->bound, r->p->blocks),
+                      FMB_ARRAY(r->rate, r->p->m), FMB_ARRAY(r->scaled, d), FMB_ARRAY(r->aside, d),
+                      FMB_ARRAY(r->tried, FMB_RAY_TRIES), FMB_ARRAY(r->way, d));
+}
+
 fmb_status fmb_ray_init(fmb_ray *r, fmb_run *run, const fmb_polar_points *p)
 {
-    size_t d = p->d;
-    fmb_mem *mem = run->mem;
     *r = (fmb_ray){.run = run, .p = p, .hit = SIZE_MAX};
-    r->bound = fmb_mem_get(mem, p->blocks, sizeof *r->bound);
-    r->rate = fmb_mem_get(mem, p->m, sizeof *r->rate);
-    r->scaled = fmb_mem_get(mem, d, sizeof *r->scaled);
-    r->aside = fmb_mem_get(mem, d, sizeof *r->aside);
-    r->tried = fmb_mem_get(mem, FMB_RAY_TRIES, sizeof *r->tried);
-    r->way = fmb_mem_get(mem, d, sizeof *r->way);
-    for (size_t k = 0; r->way && k < d; k++)
+    fmb_status st = hold_arrays_of_ray(r, true);
+    for (size_t k = 0; r->way && k < p->d; k++)
         mpz_init(r->way[k]);
-    return r->bound && r->rate && r->scaled && r->aside && r->tried && r->way ? FMB_OK
-                                                                              : fmb_mem_status(mem);
+    return st;
 }
 
 void fmb_ray_clear(fmb_ray *r)
 {
     if (!r->run)
         return;
-    fmb_mem *mem = r->run->mem;
-    size_t d = r->p->d;
-    for (size_t k = 0; r->way && k < d; k++)
+    for (size_t k = 0; r->way && k < r->p->d; k++)
         mpz_clear(r->way[k]);
-    fmb_mem_put(mem, r->bound, r->p->blocks, sizeof *r->bound);
-    fmb_mem_put(mem, r->rate, r->p->m, sizeof *r->rate);
-    fmb_mem_put(mem, r->scaled, d, sizeof *r->scaled);
-    fmb_mem_put(mem, r->aside, d, sizeof *r->aside);
-    fmb_mem_put(mem, r->tried, FMB_RAY_TRIES, sizeof *r->tried);
-    fmb_mem_put(mem, r->way, d, sizeof *r->way);
+    (void)hold_arrays_of_ray(r, false);
     r->run = NULL;
 }
 

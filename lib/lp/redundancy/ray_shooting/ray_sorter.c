@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "num/gcd.h"
 #include "num/rationals.h"
 
@@ -36,23 +37,19 @@ fmb_status fmb_ray_sorter_init(fmb_ray_sorter *s, fmb_run *run, const fmb_polar_
     fmb_mem *mem = run->mem;
     size_t d = points->d;
     *s = (fmb_ray_sorter){.run = run, .points = points, .fate = fate, .told = told};
-    s->is_active = fmb_mem_zero(mem, points->m, sizeof *s->is_active);
-    s->target = fmb_mem_get(mem, d, sizeof *s->target);
-    s->support = fmb_mem_get(mem, d, sizeof *s->support);
-    if (!s->is_active || !s->target || !s->support)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_ARRAYS(mem, true, FMB_ARRAY_ZERO(s->is_active, points->m), FMB_ARRAY(s->target, d),
+                       FMB_ARRAY(s->support, d)));
     FMB_TRY(fmb_membership_init(&s->membership, mem, run->kernels, d, FIRST_CUBE));
     FMB_TRY(fmb_ray_init(&s->ray, run, points));
     FMB_TRY(fmb_combination_init(&s->combination, mem, points->n, points->row));
     return fmb_rationals_new(&s->x, points->n, mem);
 }
 
-static void free_known_rows(fmb_ray_sorter *s)
+static fmb_status hold_known_rows(fmb_ray_sorter *s, bool get)
 {
-    fmb_mem *mem = s->run->mem;
-    fmb_mem_put(mem, s->name, s->capacity, sizeof *s->name);
-    fmb_mem_put(mem, s->at, s->points->d * s->capacity, sizeof *s->at);
-    fmb_mem_put(mem, s->score, s->capacity, sizeof *s->score);
+    return FMB_ARRAYS(s->run->mem, get, FMB_ARRAY(s->name, s->capacity),
+                      FMB_ARRAY(s->at, s->points->d * s->capacity),
+                      FMB_ARRAY(s->score, s->capacity));
 }
 
 void fmb_ray_sorter_clear(fmb_ray_sorter *s)
@@ -61,10 +58,9 @@ void fmb_ray_sorter_clear(fmb_ray_sorter *s)
         return;
     fmb_mem *mem = s->run->mem;
     size_t d = s->points->d;
-    free_known_rows(s);
-    fmb_mem_put(mem, s->is_active, s->points->m, sizeof *s->is_active);
-    fmb_mem_put(mem, s->target, d, sizeof *s->target);
-    fmb_mem_put(mem, s->support, d, sizeof *s->support);
+    (void)hold_known_rows(s, false);
+    FMB_ARRAYS_PUT(mem, FMB_ARRAY(s->is_active, s->points->m), FMB_ARRAY(s->target, d),
+                   FMB_ARRAY(s->support, d));
     fmb_rationals_free(s->x, s->points->n, mem);
     fmb_membership_clear(&s->membership);
     fmb_ray_clear(&s->ray);
@@ -76,16 +72,12 @@ void fmb_ray_sorter_clear(fmb_ray_sorter *s)
 
 static fmb_status reserve_known_rows(fmb_ray_sorter *s, size_t capacity)
 {
-    fmb_mem *mem = s->run->mem;
     size_t d = s->points->d;
     fmb_ray_sorter old = *s;
     s->capacity = capacity;
-    s->name = fmb_mem_get(mem, capacity, sizeof *s->name);
-    s->at = fmb_mem_get(mem, d * capacity, sizeof *s->at);
-    s->score = fmb_mem_get(mem, capacity, sizeof *s->score);
-    if (!s->name || !s->at || !s->score) {
-        fmb_status st = fmb_mem_status(mem);
-        free_known_rows(s);
+    fmb_status st = hold_known_rows(s, true);
+    if (st != FMB_OK) {
+        (void)hold_known_rows(s, false);
         *s = old;
         return st;
     }
@@ -93,7 +85,7 @@ static fmb_status reserve_known_rows(fmb_ray_sorter *s, size_t capacity)
         memcpy(s->name, old.name, s->known * sizeof *s->name);
     for (size_t k = 0; s->known > 0 && k < d; k++)
         memcpy(&s->at[k * capacity], &old.at[k * old.capacity], s->known * sizeof *s->at);
-    free_known_rows(&old);
+    (void)hold_known_rows(&old, false);
     return FMB_OK;
 }
 
