@@ -3,10 +3,8 @@
 
 static fmb_status make_room(fmb_cone_rows *r, fmb_arena *arena, size_t size)
 {
-    r->row = fmb_arena_get(arena, size, sizeof *r->row);
-    r->v = fmb_arena_get(arena, size, sizeof *r->v);
-    if (!r->row || !r->v)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, r->row, size));
+    FMB_TRY(FMB_ARENA_GET(arena, r->v, size));
     for (size_t i = 0; i < size; i++)
         r->v[i] = (fmb_vec){0};
     r->size = size;

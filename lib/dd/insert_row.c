@@ -45,12 +45,10 @@ static fmb_status move_along_line(fmb_cone *c, fmb_vec *v, const fmb_vec *line, 
 /* The line, turned to where the row is positive, becomes a ray: in all rows before it is 0. */
 static fmb_status make_ray_of_line(fmb_cone *c, size_t row, size_t entry, size_t i)
 {
-    fmb_status st = fmb_rays_reserve_bits(&c->ray, c->bits + 1);
-    FMB_THEN(st, fmb_rays_add(&c->ray));
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rays_reserve_bits(&c->ray, c->bits + 1));
+    FMB_TRY(fmb_rays_add(&c->ray));
     fmb_vec *v = &c->ray.v[c->ray.size - 1];
-    st = fmb_vec_copy(v, &c->line.v[i], c->ray.width, c->run->mem);
+    fmb_status st = fmb_vec_copy(v, &c->line.v[i], c->ray.width, c->run->mem);
     if (st == FMB_OK && fmb_vec_sgn(v, entry) < 0)
         fmb_vec_negate(v, c->ray.width);
     fmb_set_put(fmb_rays_support(&c->ray, c->ray.size - 1), c->bits);

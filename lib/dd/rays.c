@@ -25,9 +25,8 @@ fmb_status fmb_rays_add_many(fmb_rays *r, size_t n)
     FMB_TRY(FMB_RESERVE(r->mem, &r->v, &r->capacity, size));
     FMB_TRY(FMB_RESERVE(r->mem, &r->support, &r->capacity_words, size * r->words));
     for (; r->made < size; r->made++) {
-        int64_t *s = fmb_arena_get(&r->arena, r->width, sizeof *s);
-        if (!s)
-            return fmb_mem_status(r->mem);
+        int64_t *s;
+        FMB_TRY(FMB_ARENA_GET(&r->arena, s, r->width));
         r->v[r->made] = (fmb_vec){.s = s};
     }
     for (; r->size < size; r->size++)

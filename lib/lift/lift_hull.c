@@ -181,8 +181,7 @@ fmb_status fmb_lift_generators(const fmb_generators *g, const fmb_system *like, 
     fmb_status st = fmb_system_new(0, &g->mem.alloc, &lift);
     if (st == FMB_OK && !like)
         st = fmb_system_new(fmb_generators_dim(g), &g->mem.alloc, &plain);
-    if (st == FMB_OK)
-        st = lift_generators(lift, g, like ? like : plain);
+    FMB_THEN(st, lift_generators(lift, g, like ? like : plain));
     fmb_system_free(plain);
     if (st == FMB_OK)
         *out = lift;

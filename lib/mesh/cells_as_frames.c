@@ -19,8 +19,7 @@ fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const
     o.max_bytes = SIZE_MAX;
     fmb_status st = fmb_pair_new(3, &o, hook, &x->closed);
     o.contact = FMB_CONTACT_OPEN;
-    if (st == FMB_OK)
-        st = fmb_pair_new(3, &o, hook, &x->open);
+    FMB_THEN(st, fmb_pair_new(3, &o, hook, &x->open));
     return st == FMB_OK ? fmb_solver_new(&how, hook, &x->solver) : st;
 }
 
@@ -66,10 +65,8 @@ static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], in
         row[i] = -1;
     fmb_status st =
         fmb_system_from_frames(f, 2, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, hook, &s);
-    if (st == FMB_OK)
-        st = fmb_system_add_int(s, row, FMB_LT, 0);
-    if (st == FMB_OK)
-        st = fmb_solve(x->solver, s, &result);
+    FMB_THEN(st, fmb_system_add_int(s, row, FMB_LT, 0));
+    FMB_THEN(st, fmb_solve(x->solver, s, &result));
     if (st == FMB_OK)
         *out = result.verdict == FMB_FEASIBLE;
     fmb_system_free(s);

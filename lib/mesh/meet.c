@@ -26,9 +26,8 @@ static fmb_status sort_hits_by(bool by_a, fmb_tree_walk *walk, int threads, size
     size_t n = 0;
     for (int t = 0; t < threads; t++)
         n += walk[t].out.hits;
-    fmb_mesh_hit *to = fmb_mem_get(&walk[0].mem, n, sizeof *to);
-    if (!to)
-        return fmb_mem_status(&walk[0].mem);
+    fmb_mesh_hit *to;
+    FMB_TRY(FMB_GET(&walk[0].mem, to, n));
     memset(start, 0, (keys + 1) * sizeof *start);
     for (int t = 0; t < threads; t++)
         for (size_t i = 0; i < walk[t].out.hits; i++)
@@ -53,10 +52,8 @@ static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_tree_walk *walk, int 
     walk[0].mem.limit = 0;
     size_t *start = fmb_mem_get(&walk[0].mem, keys + 1, sizeof *start);
     fmb_status st = start ? FMB_OK : fmb_mem_status(&walk[0].mem);
-    if (st == FMB_OK)
-        st = sort_hits_by(false, walk, threads, start, keys);
-    if (st == FMB_OK)
-        st = sort_hits_by(true, walk, 1, start, keys);
+    FMB_THEN(st, sort_hits_by(false, walk, threads, start, keys));
+    FMB_THEN(st, sort_hits_by(true, walk, 1, start, keys));
     fmb_mem_put(&walk[0].mem, start, keys + 1, sizeof *start);
     return st;
 }
@@ -87,9 +84,8 @@ static void walk_one(void *self, size_t k, size_t thread)
     if (x->st != FMB_OK)
         return;
     fmb_status st = fmb_run_poll_now(&x->run);
-    if (st == FMB_OK)
-        st = w->part ? fmb_walk_part_of_trees(x, &w->part[k])
-                     : fmb_walk_row_of_pairs(x, (uint32_t)(w->from + k));
+    FMB_THEN(st, w->part ? fmb_walk_part_of_trees(x, &w->part[k])
+                         : fmb_walk_row_of_pairs(x, (uint32_t)(w->from + k)));
     end_part(x, st);
 }
 
@@ -171,14 +167,12 @@ static int count_threads(const fmb_mesh_options *o)
 static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answer *out)
 {
     int threads = count_threads(plan->o);
-    fmb_tree_walk *walk = fmb_mem_zero(mem, (size_t)threads, sizeof *walk);
-    if (!walk)
-        return fmb_mem_status(mem);
+    fmb_tree_walk *walk;
+    FMB_TRY(FMB_GET_ZERO(mem, walk, (size_t)threads));
     fmb_status st = open_walks(plan, mem, walk, threads);
     if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
         st = walk_all(plan, mem, walk, threads);
-    if (st == FMB_OK)
-        st = join_walks(plan, walk, threads);
+    FMB_THEN(st, join_walks(plan, walk, threads));
     if (st == FMB_OK) {
         *out = walk[0].out;
         walk[0].out = (fmb_mesh_answer){.size = sizeof(fmb_mesh_answer)};
@@ -233,8 +227,7 @@ static fmb_status meet_with_ids(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answ
     }
     if (st == FMB_OK && plan->nearest)
         st = fmb_mesh_bound_distance(plan);
-    if (st == FMB_OK)
-        st = meet_by_threads(plan, mem, out);
+    FMB_THEN(st, meet_by_threads(plan, mem, out));
     if (st == FMB_OK && plan->nearest)
         st = fmb_mesh_choose_nearest(plan, out);
     fmb_mem_put(mem, ids, b->vertices, sizeof *ids);

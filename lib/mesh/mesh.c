@@ -58,9 +58,7 @@ fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem 
     size_t offset = other ? other->vertices : 0;
     while (t.size < 2 * (m->vertices + offset))
         t.size *= 2;
-    t.slot = fmb_mem_get(mem, t.size, sizeof *t.slot);
-    if (!t.slot)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_GET(mem, t.slot, t.size));
     memset(t.slot, 0xff, t.size * sizeof *t.slot);
     for (size_t v = 0; v < offset; v++)
         find_or_enter_point(&t, other, NULL, v, 0);
@@ -165,9 +163,7 @@ static fmb_status fill_mesh(fmb_mesh *m, const double *point, const uint32_t *co
     if (!m->point || !m->corner || (from->face && !m->face) ||
         (from->group && !(m->group && m->names)) || !m->same || !m->faults)
         return fmb_mem_status(mem);
-    fmb_status st = fmb_mesh_find_same(m, NULL, mem, m->same);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mesh_find_same(m, NULL, mem, m->same));
     look_at_cells(m);
     return fmb_mesh_grow_tree(m);
 }
@@ -180,9 +176,8 @@ fmb_status fmb_mesh_new_of_file(int corners, size_t vertices, const double *poin
     if (!out || !are_mesh_arguments(corners, vertices, point, cells, corner))
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, hook, 0);
-    fmb_mesh *m = fmb_mem_zero(&mem, 1, sizeof *m);
-    if (!m)
-        return fmb_mem_status(&mem);
+    fmb_mesh *m;
+    FMB_TRY(FMB_GET_ZERO(&mem, m, 1));
     m->mem = mem;
     m->corners = corners;
     m->vertices = vertices;
@@ -225,9 +220,8 @@ fmb_status fmb_mesh_placed(const fmb_mesh *m, const fmb_mesh_place *place, const
     if (!m || !place || !out)
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, hook, 0);
-    double *point = fmb_mem_get(&mem, 3 * m->vertices, sizeof *point);
-    if (!point)
-        return fmb_mem_status(&mem);
+    double *point;
+    FMB_TRY(FMB_GET(&mem, point, 3 * m->vertices));
     for (size_t i = 0; i < 3 * m->vertices; i++)
         point[i] = fma(place->scale[i % 3], m->point[i], place->move[i % 3]);
     const fmb_mesh_origin origin = {m->face, m->group, m->names, m->names_size};

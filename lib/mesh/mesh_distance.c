@@ -102,8 +102,7 @@ fmb_status fmb_mesh_bound_distance(fmb_walk_plan *plan)
     if (plan->a->cells == 0 || plan->b->cells == 0)
         return FMB_OK;
     fmb_status st = fmb_run_poll_now(&plan->run);
-    if (st == FMB_OK)
-        st = search_nodes(&x, plan->a->node, plan->b->node);
+    FMB_THEN(st, search_nodes(&x, plan->a->node, plan->b->node));
     double bound = x.most * (1 + 0x1p-30);
     if (st == FMB_OK && isfinite(bound)) {
         mpq_t square;
@@ -115,8 +114,7 @@ fmb_status fmb_mesh_bound_distance(fmb_walk_plan *plan)
     } else if (st == FMB_OK) {
         fmb_mesh_frames frames;
         st = fmb_mesh_frames_open(&frames, plan->o->mem, plan->o->motion);
-        if (st == FMB_OK)
-            st = measure_first_cells(plan, &frames);
+        FMB_THEN(st, measure_first_cells(plan, &frames));
         fmb_mesh_frames_close(&frames);
     }
     return st;
@@ -136,8 +134,7 @@ static fmb_status choose_of_hits(fmb_walk_plan *plan, fmb_mesh_frames *frames,
         fmb_cell a = cell_of_first(plan, near->hit[i].a), b = cell_of_second(plan, near->hit[i].b);
         fmb_proximity *found = NULL;
         st = fmb_run_poll_now(&plan->run);
-        if (st == FMB_OK)
-            st = fmb_mesh_measure_cells(frames, &a, &b, &found);
+        FMB_THEN(st, fmb_mesh_measure_cells(frames, &a, &b, &found));
         if (found && (!out->distance || mpq_cmp(found->measure, out->distance->measure) < 0)) {
             fmb_proximity *worse = out->distance;
             out->distance = found;
@@ -156,8 +153,7 @@ fmb_status fmb_mesh_choose_nearest(fmb_walk_plan *plan, const fmb_mesh_answer *n
     if (near->stop != FMB_STOP_DONE)
         return FMB_OK;
     fmb_status st = fmb_mesh_frames_open(&frames, plan->o->mem, plan->o->motion);
-    if (st == FMB_OK)
-        st = choose_of_hits(plan, &frames, near);
+    FMB_THEN(st, choose_of_hits(plan, &frames, near));
     fmb_mesh_frames_close(&frames);
     if (st != FMB_OK) {
         fmb_proximity_free(plan->nearest->distance);

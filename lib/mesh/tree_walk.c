@@ -22,8 +22,7 @@ static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_ce
 static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
 {
     fmb_mesh_answer *out = &x->out;
-    fmb_status st = fmb_mem_reserve(&x->mem, (void **)&out->hit, &out->capacity, out->hits + 1,
-                                    sizeof *out->hit);
+    fmb_status st = FMB_RESERVE(&x->mem, &out->hit, &out->capacity, out->hits + 1);
     if (st == FMB_OK)
         out->hit[out->hits++] = hit;
     return st;
@@ -152,8 +151,7 @@ static fmb_status meet_within_node(fmb_tree_walk *x, const fmb_mesh_node *p, dou
     }
     const fmb_mesh_node *child = &x->plan->a->node[p->left];
     fmb_status st = meet_within_node(x, &child[0], weight / 4);
-    if (st == FMB_OK)
-        st = meet_within_node(x, &child[1], weight / 4);
+    FMB_THEN(st, meet_within_node(x, &child[1], weight / 4));
     return st == FMB_OK ? meet_nodes(x, &child[0], &child[1], weight / 2) : st;
 }
 
@@ -175,8 +173,7 @@ fmb_status fmb_walk_row_of_pairs(fmb_tree_walk *x, uint32_t row)
             fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, (uint32_t)j);
             st = look_at_pair_of_cells(x, &a, row, &b, (uint32_t)j);
         }
-        if (st == FMB_OK)
-            st = note_progress(x, share);
+        FMB_THEN(st, note_progress(x, share));
     }
     return st;
 }

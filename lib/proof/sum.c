@@ -86,10 +86,8 @@ static fmb_status form_groups(fmb_fractions *w, const lone_weight *x)
 
 fmb_status fmb_fractions_share(fmb_fractions *w)
 {
-    fmb_status st = fmb_integers_settle(&w->num, w->mem);
-    FMB_THEN(st, fmb_integers_settle(&w->den, w->mem));
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_settle(&w->num, w->mem));
+    FMB_TRY(fmb_integers_settle(&w->den, w->mem));
     lone_weight *x;
     FMB_TRY(FMB_GET(w->mem, x, w->size));
     for (size_t i = 0; i < w->size; i++) {
@@ -98,7 +96,7 @@ fmb_status fmb_fractions_share(fmb_fractions *w)
         mpz_swap(x[i].den, w->den.z[i]);
     }
     qsort(x, w->size, sizeof *x, compare_denominators);
-    st = form_groups(w, x);
+    fmb_status st = form_groups(w, x);
     for (size_t i = 0; i < w->size; i++)
         mpz_clear(x[i].den);
     fmb_mem_put(w->mem, x, w->size, sizeof *x);

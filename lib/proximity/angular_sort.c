@@ -127,8 +127,7 @@ fmb_status fmb_angular_sort(fmb_generators **g, fmb_mem *mem)
     mpq_inits(p.t[0], p.t[1], p.t[2], NULL);
     fmb_status st = fmb_rationals_new(&p.x, p.n * p.dim, mem);
     p.order = fmb_mem_get(mem, p.n, sizeof *p.order);
-    if (st == FMB_OK)
-        st = p.order ? sort_vertices(&p, g, &mem->alloc) : fmb_mem_status(mem);
+    FMB_THEN(st, p.order ? sort_vertices(&p, g, &mem->alloc) : fmb_mem_status(mem));
     fmb_mem_put(mem, p.order, p.n, sizeof *p.order);
     fmb_rationals_free(p.x, p.n * p.dim, mem);
     mpq_clears(p.t[0], p.t[1], p.t[2], NULL);

@@ -31,9 +31,8 @@ static fmb_status decide_by_elimination(fmb_query *q, int part, size_t budget, f
     const fmb_part *p = &q->parts.part[part];
     fmb_attempt told = fmb_query_attempt(q, part, "elimination", "verdict");
     fmb_elim e;
-    bool *drop = fmb_arena_get(&q->v->arena, (size_t)p->n, sizeof *drop);
-    if (!drop)
-        return fmb_mem_status(q->run.mem);
+    bool *drop;
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, drop, (size_t)p->n));
     for (int j = 0; j < p->n; j++)
         drop[j] = true;
     fmb_status st = fmb_query_load(q, p, false, &e);

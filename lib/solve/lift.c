@@ -49,9 +49,8 @@ static fmb_status give_whole_space(fmb_solver *v, const fmb_result *r, const lif
     fmb_system *space = NULL;
     v->answered = false; /* the evidence at hand is that of an older query */
     fmb_status st = fmb_system_new(0, &v->mem.alloc, &space);
-    if (st == FMB_OK)
-        st = a->graph ? fmb_lift_add_answer_of_graph(space, a->like, a->graph)
-                      : fmb_lift_add_answer(space, a->like);
+    FMB_THEN(st, a->graph ? fmb_lift_add_answer_of_graph(space, a->like, a->graph)
+                          : fmb_lift_add_answer(space, a->like));
     if (st != FMB_OK) {
         fmb_system_free(space);
         return st;

@@ -63,10 +63,8 @@ static fmb_status list_rows_of_part(reduce_progress *g, int part)
     fmb_query *q = g->q;
     const fmb_part *p = g->p;
     fmb_status st = fmb_query_write_rows(q, part);
-    g->row = fmb_arena_get(&q->v->arena, p->m, sizeof *g->row);
-    g->fate = fmb_arena_get(&q->v->arena, p->m, sizeof *g->fate);
-    if (!g->row || !g->fate)
-        return fmb_mem_status(q->run.mem);
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, g->row, p->m));
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, g->fate, p->m));
     for (size_t i = 0; st == FMB_OK && i < p->m; i++) {
         g->row[i] = (fmb_lp_row){&p->row[i], p->rel[i]};
         g->fate[i] = FMB_FATE_UNKNOWN;

@@ -196,9 +196,8 @@ static fmb_status enter_row(fmb_row_images *t, size_t i)
     *r = (fmb_row_image){.size = n, .hash = t->moved.hash};
     r->var = st == FMB_OK ? fmb_mem_get(t->mem, n, sizeof *r->var) : NULL;
     r->v.s = st == FMB_OK ? fmb_mem_get(t->mem, n + 1, sizeof *r->v.s) : NULL;
-    if (st == FMB_OK)
-        st = r->var && r->v.s ? fmb_vec_copy(&r->v, &t->moved.v, n + 1, t->mem)
-                              : fmb_mem_status(t->mem);
+    FMB_THEN(st, r->var && r->v.s ? fmb_vec_copy(&r->v, &t->moved.v, n + 1, t->mem)
+                                  : fmb_mem_status(t->mem));
     for (size_t k = 0; st == FMB_OK && k < n; k++)
         r->var[k] = t->moved.var[k];
     if (st == FMB_OK) {

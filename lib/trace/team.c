@@ -15,8 +15,8 @@ fmb_status fmb_team_open(fmb_team *t, fmb_run *run, size_t size)
     *t = (fmb_team){.run = run};
     t->share = fmb_mem_zero(run->mem, size, sizeof *t->share);
     fmb_status st = t->share ? FMB_OK : fmb_mem_status(run->mem);
-    if (st == FMB_OK)
-        st = fmb_threads_open(&t->threads, run->mem, run->threads < size ? run->threads : size);
+    FMB_THEN(st,
+             fmb_threads_open(&t->threads, run->mem, run->threads < size ? run->threads : size));
     if (st != FMB_OK) {
         fmb_mem_put(run->mem, t->share, size, sizeof *t->share);
         *t = (fmb_team){.run = run};

@@ -99,9 +99,8 @@ static fmb_status add_generator_at_hand(fmb_facets *f, size_t at, bool *grown)
     if (!*grown)
         return st;
     st = number_generator(f);
-    if (st == FMB_OK)
-        st = e < f->d ? fmb_facets_raise(f, e, f->generators - 1)
-                      : fmb_facets_cut(f, f->generators - 1);
+    FMB_THEN(st, e < f->d ? fmb_facets_raise(f, e, f->generators - 1)
+                          : fmb_facets_cut(f, f->generators - 1));
     return st;
 }
 

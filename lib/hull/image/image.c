@@ -94,9 +94,8 @@ static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_
         unite_supports(m, m->everywhere, support);
         return FMB_OK;
     }
-    uint64_t *own = fmb_arena_get(&m->arena, m->words, sizeof *own);
-    if (!own)
-        return fmb_mem_status(m->run->mem);
+    uint64_t *own;
+    FMB_TRY(FMB_ARENA_GET(&m->arena, own, m->words));
     memcpy(own, support, m->words * sizeof *own);
     m->support[m->rays] = own;
     m->above[m->rays] = m->of ? v : NULL;
@@ -121,14 +120,12 @@ static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words,
     *m = (fmb_image){.run = run, .n = n, .words = words};
     fmb_arena_init(&m->arena, run->mem);
     FMB_TRY(fmb_run_open_num(run, &m->num, n, wide_only));
-    m->ray = fmb_arena_get(&m->arena, rays, sizeof *m->ray);
-    m->support = fmb_arena_get(&m->arena, rays, sizeof *m->support);
-    m->above = fmb_arena_get(&m->arena, rays, sizeof *m->above);
-    m->line = fmb_arena_get(&m->arena, lines, sizeof *m->line);
-    m->line_above = fmb_arena_get(&m->arena, lines, sizeof *m->line_above);
-    m->everywhere = fmb_arena_get(&m->arena, words, sizeof *m->everywhere);
-    if (!m->ray || !m->support || !m->above || !m->line || !m->line_above || !m->everywhere)
-        return fmb_mem_status(run->mem);
+    FMB_TRY(FMB_ARENA_GET(&m->arena, m->ray, rays));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, m->support, rays));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, m->above, rays));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, m->line, lines));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, m->line_above, lines));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, m->everywhere, words));
     memset(m->everywhere, 0, words * sizeof *m->everywhere);
     return FMB_OK;
 }

@@ -24,13 +24,12 @@ typedef struct corner_search {
 static fmb_status list_forms(corner_search *c)
 {
     fmb_image *m = c->m;
-    uint64_t *infinity = fmb_arena_get(&m->arena, c->words, sizeof *infinity);
-    c->zero = fmb_arena_get(&m->arena, m->facets + 1, sizeof *c->zero);
-    c->face = fmb_arena_get(&m->arena, c->words, sizeof *c->face);
-    c->zeros = fmb_arena_get(&m->arena, m->rays, sizeof *c->zeros);
-    c->stays = fmb_arena_get(&m->arena, m->rays, sizeof *c->stays);
-    if (!infinity || !c->zero || !c->face || !c->zeros || !c->stays)
-        return fmb_mem_status(m->run->mem);
+    uint64_t *infinity;
+    FMB_TRY(FMB_ARENA_GET(&m->arena, infinity, c->words));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, c->zero, m->facets + 1));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, c->face, c->words));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, c->zeros, m->rays));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, c->stays, m->rays));
     for (size_t i = 0; i < m->facets; i++)
         if (m->facet[i].on && !m->facet[i].equality)
             c->zero[c->forms++] = m->facet[i].on;

@@ -31,10 +31,8 @@ static void add_to_slack(fmb_image *m, uint64_t *to, const uint64_t *from)
 static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
 {
     size_t words = fmb_set_words(m->rays);
-    f->slack = fmb_arena_get(&m->arena, m->words, sizeof *f->slack);
-    f->on = fmb_arena_get(&m->arena, words, sizeof *f->on);
-    if (!f->slack || !f->on)
-        return fmb_mem_status(m->run->mem);
+    FMB_TRY(FMB_ARENA_GET(&m->arena, f->slack, m->words));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, f->on, words));
     memcpy(f->slack, m->everywhere, m->words * sizeof *f->slack);
     memset(f->on, 0, words * sizeof *f->on);
     FMB_TRY(fmb_image_find_zeros(m, &f->v, f->on));

@@ -185,10 +185,8 @@ static fmb_status add_row_of_face(open_search *o, const open_face *face)
     FMB_TRY(FMB_RESERVE(m->run->mem, &m->facet, &m->facet_capacity, m->facets + 1));
     fmb_image_row *row = &m->facet[m->facets];
     *row = (fmb_image_row){.strict = true};
-    row->v.s = fmb_arena_get(&m->arena, m->n, sizeof *row->v.s);
-    row->slack = fmb_arena_get(&m->arena, m->words, sizeof *row->slack);
-    if (!row->v.s || !row->slack)
-        return fmb_mem_status(m->run->mem);
+    FMB_TRY(FMB_ARENA_GET(&m->arena, row->v.s, m->n));
+    FMB_TRY(FMB_ARENA_GET(&m->arena, row->slack, m->words));
     memset(row->v.s, 0, m->n * sizeof *row->v.s);
     m->facets++;
     memcpy(row->slack, m->everywhere, m->words * sizeof *row->slack);

@@ -101,13 +101,11 @@ static fmb_status write_program(fmb_section *c)
 static fmb_status make_room_for_section(fmb_section *c)
 {
     size_t d = c->d;
-    c->base = fmb_arena_get(&c->arena, d, sizeof *c->base);
-    c->pivot = fmb_arena_get(&c->arena, d, sizeof *c->pivot);
-    c->chosen = fmb_arena_get(&c->arena, d, sizeof *c->chosen);
-    c->column = fmb_arena_get(&c->arena, d, sizeof *c->column);
-    c->kept = fmb_arena_get(&c->arena, d, sizeof *c->kept);
-    if (!c->base || !c->pivot || !c->chosen || !c->column || !c->kept)
-        return fmb_mem_status(c->run->mem);
+    FMB_TRY(FMB_ARENA_GET(&c->arena, c->base, d));
+    FMB_TRY(FMB_ARENA_GET(&c->arena, c->pivot, d));
+    FMB_TRY(FMB_ARENA_GET(&c->arena, c->chosen, d));
+    FMB_TRY(FMB_ARENA_GET(&c->arena, c->column, d));
+    FMB_TRY(FMB_ARENA_GET(&c->arena, c->kept, d));
     for (size_t i = 0; i < d; i++)
         c->base[i] = (fmb_vec){0};
     for (size_t i = 0; i < d; i++) {

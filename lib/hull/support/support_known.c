@@ -62,10 +62,8 @@ fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p)
     fmb_arena_init(&w->arena, mem);
     for (w->mask = 15; w->mask < 2 * p->m; w->mask = 2 * w->mask + 1)
         ;
-    w->row = fmb_arena_get(&w->arena, p->m, sizeof *w->row);
-    w->table = fmb_arena_get(&w->arena, w->mask + 1, sizeof *w->table);
-    if (!w->row || !w->table)
-        return fmb_mem_status(mem);
+    FMB_TRY(FMB_ARENA_GET(&w->arena, w->row, p->m));
+    FMB_TRY(FMB_ARENA_GET(&w->arena, w->table, w->mask + 1));
     for (size_t at = 0; at <= w->mask; at++)
         w->table[at] = NO_ROW;
     FMB_TRY(fmb_run_open_num(s->run, &w->num, (size_t)p->n + 1, false));

@@ -116,16 +116,13 @@ static fmb_status read_ply_property(fmb_cursor *c, ply_header *h, const char *li
     ply_element *e = &h->element[h->elements - 1];
     fmb_span word = scan_header_word(c);
     bool list = fmb_span_is(word, "list");
-    fmb_status st = list ? read_ply_type(c, scan_header_word(c), true, &p.count) : FMB_OK;
-    if (st == FMB_OK)
-        st = read_ply_type(c, list ? scan_header_word(c) : word, false, &p.type);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(list ? read_ply_type(c, scan_header_word(c), true, &p.count) : FMB_OK);
+    FMB_TRY(read_ply_type(c, list ? scan_header_word(c) : word, false, &p.type));
     p.role = find_role(e, &p, scan_header_word(c));
     if (p.role != ROLE_NONE && (e->roles >> p.role & 1))
         return fmb_io_fail(c, line, "expected a property of another name: it came before");
     e->roles |= p.role != ROLE_NONE ? 1U << p.role : 0;
-    st = FMB_RESERVE(c->mem, &h->property, &h->property_capacity, h->properties + 1);
+    fmb_status st = FMB_RESERVE(c->mem, &h->property, &h->property_capacity, h->properties + 1);
     if (st == FMB_OK)
         h->property[h->properties++] = p;
     e->to = h->properties;

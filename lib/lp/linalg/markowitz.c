@@ -10,11 +10,9 @@ static fmb_status open_strips(fmb_strips *l, fmb_arena *arena, size_t size, size
                               bool values)
 {
     *l = (fmb_strips){0};
-    l->start = fmb_arena_get(arena, size, sizeof *l->start);
-    l->size = fmb_arena_get(arena, size, sizeof *l->size);
-    l->room = fmb_arena_get(arena, size, sizeof *l->room);
-    if (!l->start || !l->size || !l->room)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, l->start, size));
+    FMB_TRY(FMB_ARENA_GET(arena, l->size, size));
+    FMB_TRY(FMB_ARENA_GET(arena, l->room, size));
     memset(l->size, 0, size * sizeof *l->size);
     fmb_status st =
         fmb_arena_reserve(arena, (void **)&l->entry, &l->entry_room, 2 * entries, sizeof(int));
@@ -59,11 +57,9 @@ static void drop_from_list(fmb_strips *l, int i, int entry)
 
 static fmb_status open_buckets(fmb_buckets *b, fmb_arena *arena, size_t size)
 {
-    b->head = fmb_arena_get(arena, size + 1, sizeof *b->head);
-    b->next = fmb_arena_get(arena, size, sizeof *b->next);
-    b->prev = fmb_arena_get(arena, size, sizeof *b->prev);
-    if (!b->head || !b->next || !b->prev)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, b->head, size + 1));
+    FMB_TRY(FMB_ARENA_GET(arena, b->next, size));
+    FMB_TRY(FMB_ARENA_GET(arena, b->prev, size));
     memset(b->head, -1, (size + 1) * sizeof *b->head);
     return FMB_OK;
 }
@@ -94,23 +90,16 @@ fmb_status fmb_markowitz_open(fmb_markowitz *u, fmb_run *run, fmb_arena *arena,
                               size_t entries)
 {
     *u = (fmb_markowitz){.run = run, .arena = arena, .kind = kind, .self = self, .size = (int)size};
-    fmb_status st = open_strips(&u->row, arena, size, entries, true);
-    if (st == FMB_OK)
-        st = open_strips(&u->column, arena, size, entries, false);
-    if (st == FMB_OK)
-        st = open_buckets(&u->by_row, arena, size);
-    if (st == FMB_OK)
-        st = open_buckets(&u->by_column, arena, size);
-    if (st != FMB_OK)
-        return st;
-    u->row_at = fmb_arena_get(arena, size, sizeof *u->row_at);
-    u->column_at = fmb_arena_get(arena, size, sizeof *u->column_at);
-    u->divisor = fmb_arena_get(arena, size, sizeof *u->divisor);
-    u->last = fmb_arena_get(arena, size, sizeof *u->last);
-    u->mark = fmb_arena_get(arena, size, sizeof *u->mark);
-    u->met = fmb_arena_get(arena, size, sizeof *u->met);
-    if (!u->row_at || !u->column_at || !u->divisor || !u->last || !u->mark || !u->met)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(open_strips(&u->row, arena, size, entries, true));
+    FMB_TRY(open_strips(&u->column, arena, size, entries, false));
+    FMB_TRY(open_buckets(&u->by_row, arena, size));
+    FMB_TRY(open_buckets(&u->by_column, arena, size));
+    FMB_TRY(FMB_ARENA_GET(arena, u->row_at, size));
+    FMB_TRY(FMB_ARENA_GET(arena, u->column_at, size));
+    FMB_TRY(FMB_ARENA_GET(arena, u->divisor, size));
+    FMB_TRY(FMB_ARENA_GET(arena, u->last, size));
+    FMB_TRY(FMB_ARENA_GET(arena, u->mark, size));
+    FMB_TRY(FMB_ARENA_GET(arena, u->met, size));
     memset(u->last, -1, size * sizeof *u->last);
     memset(u->mark, -1, size * sizeof *u->mark);
     memset(u->met, -1, size * sizeof *u->met);
@@ -264,10 +253,7 @@ static void take_pivot_out(fmb_markowitz *u, int r, int c)
 
 static fmb_status note_multiplier(fmb_markowitz *u, int i, fmb_number value)
 {
-    fmb_status st = fmb_arena_reserve(u->arena, (void **)&u->multiplier, &u->multiplier_room,
-                                      u->multipliers + 1, sizeof *u->multiplier);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(FMB_ARENA_RESERVE(u->arena, &u->multiplier, &u->multiplier_room, u->multipliers + 1));
     u->multiplier[u->multipliers] = (fmb_multiplier){u->last[i], u->pivots, i, value};
     u->last[i] = (int)u->multipliers++;
     return FMB_OK;

@@ -26,11 +26,10 @@ static bool is_ratio(const mpq_t q, const mpz_t num, const mpz_t den)
 
 static fmb_status set_ratios(const fmb_oracle *o, mpq_t *x, mpz_t *num, const mpz_t den)
 {
-    fmb_status st = FMB_OK;
-    for (size_t j = 0; st == FMB_OK && j < o->n; j++)
+    for (size_t j = 0; j < o->n; j++)
         if (!is_ratio(x[j], num[j], den))
-            st = set_ratio(o, x[j], num[j], den);
-    return st;
+            FMB_TRY(set_ratio(o, x[j], num[j], den));
+    return FMB_OK;
 }
 
 fmb_status fmb_oracle_point(const fmb_oracle *o, mpq_t *x)

@@ -108,8 +108,7 @@ static fmb_status search(fmb_simplex_state *o, const double *lean, fmb_hint *h)
         st = lean_cost(o, lean);
     if (st == FMB_OK && first)
         st = fmb_first_basis(o);
-    if (st == FMB_OK)
-        st = search_on(o, h);
+    FMB_THEN(st, search_on(o, h));
     hand_out_members(o, h);
     return st;
 }
@@ -130,8 +129,7 @@ static fmb_status climb_to_optimum(fmb_simplex_state *o, const double *cost, fmb
         h->kind = FMB_HINT_NONE;
         restore_right_sides(o);
         o->feasible = false;
-        if (st == FMB_OK)
-            st = search_on(o, h);
+        FMB_THEN(st, search_on(o, h));
         if (o->feasible)
             h->kind = FMB_HINT_NONE;
     }
@@ -176,8 +174,7 @@ fmb_status fmb_backend_search(fmb_backend *d, const double *lean, fmb_hint *h)
 {
     bool leans = lean && fmb_scaled_program_scale_cost(&d->scaled, lean, d->cost);
     fmb_status st = catch_up(d, h);
-    if (st == FMB_OK)
-        st = search(&d->state, leans ? d->cost : NULL, h);
+    FMB_THEN(st, search(&d->state, leans ? d->cost : NULL, h));
     return st == FMB_OK && leans && d->state.feasible ? go_on_from_search(&d->state, d->cost, h)
                                                       : st;
 }
@@ -331,15 +328,13 @@ fmb_status fmb_backend_open_with(fmb_run *run, const fmb_program *p, bool factor
                                  fmb_backend **out)
 {
     *out = NULL;
-    fmb_backend *d = fmb_mem_zero(run->mem, 1, sizeof *d);
-    if (!d)
-        return fmb_mem_status(run->mem);
+    fmb_backend *d;
+    FMB_TRY(FMB_GET_ZERO(run->mem, d, 1));
     fmb_status st = fmb_scaled_program_init(&d->scaled, run, p);
     d->cost = fmb_mem_get(run->mem, d->scaled.n, sizeof *d->cost);
     if (st == FMB_OK && !d->cost)
         st = fmb_mem_status(run->mem);
-    if (st == FMB_OK)
-        st = fmb_simplex_state_init(&d->state, &d->scaled, factors);
+    FMB_THEN(st, fmb_simplex_state_init(&d->state, &d->scaled, factors));
     if (st == FMB_OK)
         *out = d;
     else

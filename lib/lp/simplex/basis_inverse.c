@@ -27,12 +27,10 @@ fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program
         return fmb_mem_status(mem);
     for (size_t r = 0; r < n; r++)
         c->member[r] = FMB_UNIT + r;
-    fmb_status st = fmb_indexed_vector_resize(&c->work, mem, n);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_indexed_vector_resize(&c->work, mem, n));
     if (c->has_inverse)
         return fmb_dense_inverse_init(&c->inverse, mem, f->run->kernels, n);
-    st = fmb_updated_lu_init(&c->lu, f);
+    fmb_status st = fmb_updated_lu_init(&c->lu, f);
     return st == FMB_OK ? fmb_updated_lu_factor(&c->lu, c->member) : st;
 }
 

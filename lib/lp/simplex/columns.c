@@ -25,11 +25,8 @@ static fmb_status fill_sparse_columns(fmb_columns *c)
     const fmb_scaled_program *f = c->f;
     size_t terms = f->start[f->m];
     fmb_mem *mem = f->run->mem;
-    fmb_status st = fmb_mem_reserve(mem, (void **)&c->row, &c->row_room, terms, sizeof *c->row);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&c->value, &c->value_room, terms, sizeof *c->value);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(FMB_RESERVE(mem, &c->row, &c->row_room, terms));
+    FMB_TRY(FMB_RESERVE(mem, &c->value, &c->value_room, terms));
     memset(c->start, 0, (f->n + 1) * sizeof *c->start);
     for (size_t i = 0; i < f->m; i++)
         for (size_t k = 0; k < f->p->row[i].size; k++)
@@ -53,8 +50,7 @@ static fmb_status fill_dense_columns(fmb_columns *c, size_t first)
     const fmb_scaled_program *f = c->f;
     if (f->m > c->capacity) {
         size_t capacity = f->m + (first > 0 ? f->m / 2 : 0);
-        fmb_status st = fmb_mem_reserve(f->run->mem, (void **)&c->value, &c->value_room,
-                                        f->n * capacity, sizeof *c->value);
+        fmb_status st = FMB_RESERVE(f->run->mem, &c->value, &c->value_room, f->n * capacity);
         if (st != FMB_OK)
             return st;
         c->capacity = capacity;

@@ -207,8 +207,7 @@ fmb_status fmb_dual_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *
         }
         fresh = ended;
         fmb_run_count(o->f->run, fmb_simplex_state_work(o));
-        if (st == FMB_OK)
-            st = fmb_run_poll(o->f->run);
+        FMB_THEN(st, fmb_run_poll(o->f->run));
     }
     o->feasible = *end == FMB_SIMPLEX_DONE && !o->moved;
     return st;

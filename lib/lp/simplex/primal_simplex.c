@@ -175,8 +175,7 @@ fmb_status fmb_primal_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t
         }
         fresh = ended;
         fmb_run_count(o->f->run, fmb_simplex_state_work(o));
-        if (st == FMB_OK)
-            st = fmb_run_poll(o->f->run);
+        FMB_THEN(st, fmb_run_poll(o->f->run));
     }
     return st;
 }

@@ -149,12 +149,11 @@ static bool write_row_verdicts(const chunk *c, const fmb_packed_bits *bits, fmb_
 static fmb_status decide_open_row(fmb_pair *k, const fmb_frames *a, size_t i, const fmb_frames *b,
                                   fmb_verdict *out)
 {
-    fmb_status st = FMB_OK;
-    for (size_t j = 0; st == FMB_OK && j < b->n; j++)
+    for (size_t j = 0; j < b->n; j++)
         if (out[j] == FMB_UNKNOWN)
-            st = fmb_packed_decide(k, a, b, 1, &(fmb_frames_pair){(uint32_t)i, (uint32_t)j},
-                                   &out[j]);
-    return st;
+            FMB_TRY(fmb_packed_decide(k, a, b, 1, &(fmb_frames_pair){(uint32_t)i, (uint32_t)j},
+                                      &out[j]));
+    return FMB_OK;
 }
 
 fmb_status fmb_frames_test_row(fmb_pair *k, const fmb_frames *a, size_t i, const fmb_frames *b,
@@ -417,12 +416,10 @@ fmb_status fmb_frames_meet(fmb_pair *k, const fmb_frames *a, const fmb_frames *b
     x.rows = MOST_WORDS / x.words < 1      ? 1
              : MOST_WORDS / x.words < BAND ? MOST_WORDS / x.words
                                            : BAND;
-    band *w = fmb_mem_zero(&k->mem, (size_t)k->threads, sizeof *w);
-    if (!w)
-        return fmb_mem_status(&k->mem);
+    band *w;
+    FMB_TRY(FMB_GET_ZERO(&k->mem, w, (size_t)k->threads));
     fmb_status st = open_bands(&x, k, w);
-    if (st == FMB_OK)
-        st = work_on_all_bands(&x, k, w);
+    FMB_THEN(st, work_on_all_bands(&x, k, w));
     close_bands(&x, k, w);
     fmb_mem_put(&k->mem, w, (size_t)k->threads, sizeof *w);
     return st;

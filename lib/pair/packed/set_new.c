@@ -53,9 +53,8 @@ static fmb_status open_set(int dim, size_t n, size_t numbers_beside, const fmb_a
 {
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
-    fmb_frames *s = fmb_mem_zero(&mem, 1, sizeof *s);
-    if (!s)
-        return fmb_mem_status(&mem);
+    fmb_frames *s;
+    FMB_TRY(FMB_GET_ZERO(&mem, s, 1));
     s->mem = mem;
     s->dim = dim;
     s->n = n;
@@ -179,8 +178,7 @@ static fmb_status put_in_order(fmb_frames *s)
 /* All frames were added, with that status. */
 static fmb_status close_set(fmb_frames *s, fmb_status st, fmb_frames **out)
 {
-    if (st == FMB_OK)
-        st = put_in_order(s);
+    FMB_THEN(st, put_in_order(s));
     if (st == FMB_OK)
         *out = s;
     else
@@ -250,11 +248,9 @@ fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *giv
     const fmb_frame like = {.shape = a->shape, .dim = dim, .naxes = a->naxes, .speed = a->speed};
     size_t each = count_numbers(&like), used = 0;
     fmb_frames *s = NULL;
-    fmb_status st = open_set(dim, n, stands_beside(&like) ? n * each : 0, mem, &s);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_set(dim, n, stands_beside(&like) ? n * each : 0, mem, &s));
     double *number = fmb_mem_get(&s->mem, each, sizeof *number);
-    st = number ? FMB_OK : fmb_mem_status(&s->mem);
+    fmb_status st = number ? FMB_OK : fmb_mem_status(&s->mem);
     for (size_t i = 0; st == FMB_OK && i < n; i++) {
         fmb_frame f = frame_of_arrays(dim, a, i, number);
         st = fmb_frame_is_good(&f, dim) ? FMB_OK : FMB_ERR_ARG;

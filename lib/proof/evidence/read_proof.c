@@ -358,8 +358,7 @@ fmb_status fmb_evidence_read_within(FILE *in, const fmb_system *s, const fmb_pat
     FMB_TRY(fmb_evidence_new(fmb_system_dim(s), fmb_system_rows(s), &s->mem.alloc, &r.e));
     fmb_status st = fmb_guard_begin(&guard, patience, &r.e->mem);
     const fmb_poll poll = fmb_guard_poll(&guard);
-    if (st == FMB_OK)
-        st = read_into(&r, in, &poll, where ? where : &unwanted);
+    FMB_THEN(st, read_into(&r, in, &poll, where ? where : &unwanted));
     r.e->mem.limit = 0;
     if (st != FMB_OK) {
         fmb_evidence_free(r.e);

@@ -43,21 +43,19 @@ static fmb_status find_end_by_oracle(fmb_query *q, int var, fmb_side side, fmb_e
 /* Lower ends, then upper ones: one is often where the one before was. */
 static fmb_status find_ends_of_part(fmb_query *q, fmb_box *box, int i, const int *next)
 {
-    fmb_status st = FMB_OK;
     for (int k = FMB_LOWER; k <= FMB_UPPER; k++)
-        for (int at = i; st == FMB_OK && at >= 0; at = next[at])
-            st = find_end_by_oracle(q, box->var[at], (fmb_side)k, &box->side[at][k]);
-    return st;
+        for (int at = i; at >= 0; at = next[at])
+            FMB_TRY(find_end_by_oracle(q, box->var[at], (fmb_side)k, &box->side[at][k]));
+    return FMB_OK;
 }
 
 /* Part by part, as there may be many: an oracle is closed before the next one is opened. */
 static fmb_status find_ends_by_oracles(fmb_query *q, fmb_box *box, const bool *done)
 {
     fmb_status st = FMB_OK;
-    int *first = fmb_arena_get(&q->v->arena, (size_t)q->parts.count + 1, sizeof *first);
-    int *next = fmb_arena_get(&q->v->arena, (size_t)box->size, sizeof *next);
-    if (!first || !next)
-        return fmb_mem_status(q->run.mem);
+    int *first, *next;
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, first, (size_t)q->parts.count + 1));
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, next, (size_t)box->size));
     for (int c = -1; c < q->parts.count; c++)
         first[c + 1] = -1;
     for (int i = box->size - 1; i >= 0; i--) {
@@ -87,9 +85,8 @@ static fmb_status bound_part_together(fmb_query *q, int part, fmb_box *box, bool
     *done = false;
     if (q->v->options.threads < 2 || q->session)
         return FMB_OK;
-    int *place = fmb_arena_get(&q->v->arena, (size_t)box->size, sizeof *place);
-    if (!place)
-        return fmb_mem_status(q->run.mem);
+    int *place;
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, place, (size_t)box->size));
     for (int i = 0; i < box->size; i++)
         if (q->parts.of_var[box->var[i]] == part)
             place[count++] = i;
@@ -102,9 +99,8 @@ static fmb_status bound_variables_asked(fmb_query *q, fmb_box *box)
     bool fm = fmb_query_eliminates(q);
     size_t parts = (size_t)q->parts.count;
     fmb_status st = FMB_OK;
-    bool *done = fmb_arena_get(&q->v->arena, parts, sizeof *done);
-    if (!done)
-        return fmb_mem_status(q->run.mem);
+    bool *done;
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, done, parts));
     for (int c = 0; st == FMB_OK && c < q->parts.count; c++) {
         done[c] = fm;
         st = fm ? fmb_bound_by_elimination(q, c, box) : bound_part_together(q, c, box, &done[c]);
@@ -134,11 +130,9 @@ fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n,
     fmb_query q;
     fmb_box *box = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
-    FMB_THEN(st, fmb_solver_expect_variables(v, s, "vars", vars, n));
-    if (st != FMB_OK)
-        return st;
-    st = fmb_query_resume(&q, v, s, "bound");
+    FMB_TRY(fmb_solver_expect(v, s, out != NULL, res));
+    FMB_TRY(fmb_solver_expect_variables(v, s, "vars", vars, n));
+    fmb_status st = fmb_query_resume(&q, v, s, "bound");
     fmb_status made = fmb_box_new(vars, vars ? n : fmb_system_dim(s), &v->mem.alloc, &box);
     if (made == FMB_OK)
         fmb_mem_enter(&box->mem, &v->mem);

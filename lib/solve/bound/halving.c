@@ -217,11 +217,10 @@ fmb_status fmb_bound_by_elimination(fmb_query *q, int part, fmb_box *box)
     fmb_arena *arena = &q->v->arena;
     split d = {.q = q, .p = &q->parts.part[part], .box = box, .e.run = &q->run};
     size_t n = (size_t)d.p->n;
-    int *column = fmb_arena_get(arena, n, sizeof *column);
-    d.drop = fmb_arena_get(arena, n, sizeof *d.drop);
-    d.tie = fmb_arena_get(arena, n, sizeof *d.tie);
-    if (!column || !d.drop || !d.tie)
-        return fmb_mem_status(arena->mem);
+    int *column;
+    FMB_TRY(FMB_ARENA_GET(arena, column, n));
+    FMB_TRY(FMB_ARENA_GET(arena, d.drop, n));
+    FMB_TRY(FMB_ARENA_GET(arena, d.tie, n));
     int asked = sort_columns_asked(&d, column);
     if (asked == 0)
         return FMB_OK;

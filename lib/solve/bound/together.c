@@ -41,8 +41,8 @@ static fmb_status find_ends_of_group(void *self, size_t number, fmb_run *run)
         fmb_found_end *f = &g->end[k / 2][k % 2];
         st = fmb_found_end_init(f, (size_t)t->p->n, t->q->claims != NULL, g->mem);
         g->ready++;
-        if (st == FMB_OK)
-            st = fmb_find_end(o, t->q->parts.place[var], k % 2 == FMB_LOWER ? -1 : 1, g->mem, f);
+        FMB_THEN(st,
+                 fmb_find_end(o, t->q->parts.place[var], k % 2 == FMB_LOWER ? -1 : 1, g->mem, f));
     }
     fmb_oracle_free(o);
     return st;

@@ -49,9 +49,8 @@ static fmb_status find_hull(fmb_query *q, const fmb_generators *g, fmb_system *o
                             fmb_verdict *verdict)
 {
     fmb_image m = {0};
-    bool *line = fmb_arena_get(&q->v->arena, g->size, sizeof *line);
-    if (!line)
-        return fmb_mem_status(&q->v->mem);
+    bool *line;
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, line, g->size));
     for (size_t i = 0; i < g->size; i++)
         line[i] = g->kind[i] == FMB_LINE;
     fmb_status st = fmb_image_init_vectors(&m, &q->run, (size_t)g->dim + 1, g->size, g->vec, line,

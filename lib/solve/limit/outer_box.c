@@ -22,9 +22,8 @@ static fmb_status claim_outer_end(fmb_query *q, const fmb_part *p, const fmb_eli
     fmb_vec_get(&e->row[r].v, (size_t)c, mpq_denref(t));
     mpq_canonicalize(t);
     fmb_status st = fmb_query_derive(q, e, r, t, &w);
-    if (st == FMB_OK)
-        st = fmb_query_claim_implied(q, p, &e->row[r].v, t, e->row[r].strict ? FMB_LT : FMB_LE, &w,
-                                     NULL);
+    FMB_THEN(st, fmb_query_claim_implied(q, p, &e->row[r].v, t, e->row[r].strict ? FMB_LT : FMB_LE,
+                                         &w, NULL));
     fmb_weights_clear(&w, q->run.mem);
     mpq_clear(t);
     return st;

@@ -52,11 +52,10 @@ static void drop_weight_of_goal_row(fmb_component_optimum *k, const fmb_part *wi
 static fmb_status weigh_columns(fmb_query *q, const fmb_goal *g, const fmb_part *p,
                                 fmb_weights *cost)
 {
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < p->n; j++)
+    for (int j = 0; j < p->n; j++)
         if (mpq_sgn(g->coef[p->var[j]]) != 0)
-            st = fmb_weights_add(cost, (uint32_t)j, g->coef[p->var[j]], q->run.mem);
-    return st;
+            FMB_TRY(fmb_weights_add(cost, (uint32_t)j, g->coef[p->var[j]], q->run.mem));
+    return FMB_OK;
 }
 
 fmb_status fmb_component_optimum_lean(fmb_query *q, const fmb_goal *g, int part)
@@ -64,10 +63,8 @@ fmb_status fmb_component_optimum_lean(fmb_query *q, const fmb_goal *g, int part)
     fmb_oracle *o;
     fmb_weights cost = {0};
     fmb_status st = fmb_query_oracle(q, part, &o);
-    if (st == FMB_OK)
-        st = weigh_columns(q, g, &q->parts.part[part], &cost);
-    if (st == FMB_OK)
-        st = fmb_oracle_lean(o, &cost);
+    FMB_THEN(st, weigh_columns(q, g, &q->parts.part[part], &cost));
+    FMB_THEN(st, fmb_oracle_lean(o, &cost));
     fmb_weights_clear(&cost, q->run.mem);
     return st;
 }
@@ -79,8 +76,7 @@ static fmb_status read_optimum_of_oracle(fmb_query *q, const fmb_part *p, const 
     fmb_status st = fmb_oracle_value(o, k->value);
     for (int j = 0; j < p->n; j++) /* as often as not, it is the solution that was found first */
         mpq_set(k->x[j], q->point[p->var[j]]);
-    if (st == FMB_OK)
-        st = fmb_oracle_point(o, k->x);
+    FMB_THEN(st, fmb_oracle_point(o, k->x));
     if (st == FMB_OK && q->claims)
         st = fmb_oracle_multipliers(o, &k->w);
     return st == FMB_OK && q->claims ? fmb_query_take_oracle_weights(q, p, &k->w) : st;
@@ -95,10 +91,8 @@ fmb_status fmb_component_optimum_by_oracle(fmb_query *q, const fmb_goal *g, int 
     fmb_weights cost = {0};
     forget_optimum(k, q);
     fmb_status st = fmb_query_feasible_oracle(q, part, &o);
-    if (st == FMB_OK)
-        st = weigh_columns(q, g, p, &cost);
-    if (st == FMB_OK)
-        st = fmb_oracle_maximize(o, &cost, &end, &k->attained);
+    FMB_THEN(st, weigh_columns(q, g, p, &cost));
+    FMB_THEN(st, fmb_oracle_maximize(o, &cost, &end, &k->attained));
     k->reached = st == FMB_LIMIT && o && fmb_oracle_reached(o, k->x);
     fmb_weights_clear(&cost, q->run.mem);
     if (st == FMB_OK && end == FMB_ORACLE_UNBOUNDED) {
@@ -136,9 +130,7 @@ static fmb_status read_optimum_of_store(fmb_query *q, const fmb_elim *e, uint32_
         k->kind = FMB_END_INFINITE;
         return fmb_elim_point(e, FMB_POINT_RAY, k->x);
     }
-    fmb_status st = take_optimum_from_row(q, e, row, k);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(take_optimum_from_row(q, e, row, k));
     k->kind = FMB_END_FINITE;
     k->attained = !e->row[row].strict;
     mpq_set(z, k->value);
@@ -151,8 +143,7 @@ static fmb_status find_outer_optimum(fmb_query *q, const fmb_part *p, fmb_elim *
 {
     fmb_ends f;
     fmb_status st = fmb_ends_open(&f, e);
-    if (st == FMB_OK)
-        st = fmb_ends_find(&f);
+    FMB_THEN(st, fmb_ends_find(&f));
     if (st == FMB_OK && e->clash != FMB_NO_ROW) {
         st = fmb_query_claim_clash(q, p, e);
         k->clash = st == FMB_OK;
@@ -172,9 +163,8 @@ static fmb_status find_outer_optimum(fmb_query *q, const fmb_part *p, fmb_elim *
 static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_elim *e,
                                          fmb_component_optimum *k)
 {
-    bool *drop = fmb_arena_get(&q->v->arena, (size_t)p->n, sizeof *drop);
-    if (!drop)
-        return fmb_mem_status(q->run.mem);
+    bool *drop;
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, drop, (size_t)p->n));
     for (int j = 0; j < p->n; j++)
         drop[j] = j < p->n - 1;
     fmb_status st = fmb_elim_eliminate(e, drop);
@@ -196,8 +186,7 @@ static fmb_status find_in_store(fmb_query *q, const fmb_goal *g, int part, fmb_c
     fmb_status st = fmb_objective_column_init(&w, q, part, g);
     if (st == FMB_OK) {
         st = fmb_query_load(q, &w.p, true, &e);
-        if (st == FMB_OK)
-            st = find(q, &w.p, &e, k);
+        FMB_THEN(st, find(q, &w.p, &e, k));
         fmb_elim_clear(&e);
     }
     drop_weight_of_goal_row(k, &w.p);

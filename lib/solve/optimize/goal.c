@@ -111,9 +111,7 @@ fmb_status fmb_goal_init(fmb_goal *g, const fmb_system *s, fmb_wish wish, fmb_me
 {
     *g = (fmb_goal){.dim = (size_t)fmb_system_dim(s)};
     mpq_init(g->constant);
-    fmb_status st = fmb_rationals_new(&g->coef, g->dim, mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_rationals_new(&g->coef, g->dim, mem));
     g->sense = fmb_wish_sense(s, wish);
     if (wish.doubles)
         fill_from_doubles(g, wish.doubles);

@@ -52,8 +52,7 @@ static fmb_status set_goal_row(fmb_vec *row, const fmb_part *from, const fmb_goa
         return fmb_mem_status(k->mem);
     write_goal_in_integers(from, g, z);
     fmb_status st = fmb_vec_set_z(row, entries, z, k->mem);
-    if (st == FMB_OK)
-        st = fmb_vec_reduce(row, entries, k);
+    FMB_THEN(st, fmb_vec_reduce(row, entries, k));
     fmb_vec_block_free(z, entries, k->mem);
     return st;
 }
@@ -61,11 +60,11 @@ static fmb_status set_goal_row(fmb_vec *row, const fmb_part *from, const fmb_goa
 static fmb_status allocate_part_with_objective(fmb_part *p, int n, size_t m, fmb_arena *arena)
 {
     *p = (fmb_part){.n = n};
-    p->var = fmb_arena_get(arena, (size_t)n, sizeof *p->var);
-    p->row = fmb_arena_get(arena, m, sizeof *p->row);
-    p->rel = fmb_arena_get(arena, m, sizeof *p->rel);
-    p->source = fmb_arena_get(arena, m, sizeof *p->source);
-    return p->var && p->row && p->rel && p->source ? FMB_OK : fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, p->var, (size_t)n));
+    FMB_TRY(FMB_ARENA_GET(arena, p->row, m));
+    FMB_TRY(FMB_ARENA_GET(arena, p->rel, m));
+    FMB_TRY(FMB_ARENA_GET(arena, p->source, m));
+    return FMB_OK;
 }
 
 /* At a limit no more polls: what was asked for then is to be had at little cost. */
@@ -95,20 +94,16 @@ fmb_status fmb_objective_column_init(fmb_objective_column *w, fmb_query *q, int 
     size_t n = (size_t)from->n;
     fmb_part *p = &w->p;
     w->mem = q->run.mem;
-    fmb_status st = fmb_query_write_rows(q, part);
-    if (st == FMB_OK)
-        st = allocate_part_with_objective(p, from->n + 1, from->m + 1, &q->v->arena);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_query_write_rows(q, part));
+    FMB_TRY(allocate_part_with_objective(p, from->n + 1, from->m + 1, &q->v->arena));
     memcpy(p->var, from->var, n * sizeof *p->var);
     memcpy(p->rel, from->rel, from->m * sizeof *p->rel);
     memcpy(p->source, from->source, from->m * sizeof *p->source);
     p->var[n] = -1;
     p->rel[from->m] = FMB_EQ;
     p->source[from->m] = from->source[0];
-    st = fmb_run_open_num(&q->run, &k, 1, fmb_query_is_wide(q));
-    if (st == FMB_OK)
-        st = fill_rows_with_objective(p, q, from, g, &k);
+    fmb_status st = fmb_run_open_num(&q->run, &k, 1, fmb_query_is_wide(q));
+    FMB_THEN(st, fill_rows_with_objective(p, q, from, g, &k));
     fmb_num_clear(&k);
     return st;
 }

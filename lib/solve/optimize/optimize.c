@@ -86,13 +86,10 @@ static fmb_status claim_endless(ascent *a)
     fmb_claim *claim;
     if (!a->q->claims)
         return FMB_OK;
-    fmb_status st = fmb_evidence_claim(a->q->claims, FMB_CLAIM_UNBOUNDED, &claim);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_evidence_claim(a->q->claims, FMB_CLAIM_UNBOUNDED, &claim));
     claim->side = fmb_goal_side(a->g);
-    st = put_terms_of_form(a, claim, false);
-    if (st == FMB_OK)
-        st = fmb_evidence_push_all(a->q->claims, &claim->ray, a->g->dim, NULL, a->o->ray);
+    fmb_status st = put_terms_of_form(a, claim, false);
+    FMB_THEN(st, fmb_evidence_push_all(a->q->claims, &claim->ray, a->g->dim, NULL, a->o->ray));
     return fmb_query_finish_claim(a->q, st);
 }
 
@@ -120,9 +117,7 @@ static fmb_status answer_endless(ascent *a)
 static fmb_status answer_sum(ascent *a)
 {
     fmb_exact_side *best = &a->o->best;
-    fmb_status st = close_optimum_claim(a);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(close_optimum_claim(a));
     best->kind = a->exact ? FMB_END_FINITE : FMB_END_OUTER;
     best->attained = a->exact && a->attained;
     mpq_set(best->value, a->sum);
@@ -165,10 +160,8 @@ static fmb_status claim_best_solution(ascent *a)
     fmb_claim *claim;
     if (!a->q->claims)
         return FMB_OK;
-    fmb_status st = fmb_evidence_claim(a->q->claims, FMB_CLAIM_FEASIBLE, &claim);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_evidence_push_all(a->q->claims, &claim->point, a->g->dim, NULL, a->best);
+    FMB_TRY(fmb_evidence_claim(a->q->claims, FMB_CLAIM_FEASIBLE, &claim));
+    fmb_status st = fmb_evidence_push_all(a->q->claims, &claim->point, a->g->dim, NULL, a->best);
     return fmb_query_finish_claim(a->q, st);
 }
 
@@ -230,11 +223,10 @@ static bool is_part_asked(const ascent *a, int c)
 /* The decision finds solutions where the form is large already. */
 static fmb_status lean_all_parts(ascent *a)
 {
-    fmb_status st = FMB_OK;
-    for (int c = 0; st == FMB_OK && !fmb_query_eliminates(a->q) && c < a->q->parts.count; c++)
+    for (int c = 0; !fmb_query_eliminates(a->q) && c < a->q->parts.count; c++)
         if (is_part_asked(a, c))
-            st = fmb_component_optimum_lean(a->q, a->g, c);
-    return st;
+            FMB_TRY(fmb_component_optimum_lean(a->q, a->g, c));
+    return FMB_OK;
 }
 
 /* From part *c on, which is the one at hand when a limit is reached. *ends: the form does. */
@@ -272,8 +264,7 @@ static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
 {
     bool ends = true;
     fmb_status st = lean_all_parts(a);
-    if (st == FMB_OK)
-        st = fmb_query_decide(a->q, a->q->session && !fmb_query_eliminates(a->q), verdict);
+    FMB_THEN(st, fmb_query_decide(a->q, a->q->session && !fmb_query_eliminates(a->q), verdict));
     if (st != FMB_OK || *verdict != FMB_FEASIBLE)
         return st;
     return_to_solution(a);
@@ -283,8 +274,7 @@ static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
     if (j >= 0)
         return answer_endless_variable(a, j);
     st = open_optimum_claim(a);
-    if (st == FMB_OK)
-        st = climb_all_parts(a, c, &ends);
+    FMB_THEN(st, climb_all_parts(a, c, &ends));
     return st == FMB_OK && ends ? answer_sum(a) : st;
 }
 
@@ -355,12 +345,9 @@ static fmb_status climb_within_query(fmb_query *q, const fmb_system *s, fmb_wish
     if (st == FMB_OK) {
         mpq_init(a.sum);
         st = fmb_component_optimum_init(&a.optimum_of_part, q);
-        if (st == FMB_OK)
-            st = fmb_rationals_new(&a.best, g.dim, mem);
-        if (st == FMB_OK)
-            st = fmb_query_want_point(q);
-        if (st == FMB_OK)
-            st = climb_or_settle(&a, verdict);
+        FMB_THEN(st, fmb_rationals_new(&a.best, g.dim, mem));
+        FMB_THEN(st, fmb_query_want_point(q));
+        FMB_THEN(st, climb_or_settle(&a, verdict));
         fmb_component_optimum_clear(&a.optimum_of_part, q);
         fmb_rationals_free(a.best, g.dim, mem);
         mpq_clear(a.sum);
@@ -375,12 +362,9 @@ static fmb_status optimize_wish(fmb_solver *v, const fmb_system *s, fmb_wish wis
     fmb_query q;
     fmb_optimum *o = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
-    if (st == FMB_OK)
-        st = fmb_goal_expect(v, s, wish);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_query_resume(&q, v, s, "optimize");
+    FMB_TRY(fmb_solver_expect(v, s, out != NULL, res));
+    FMB_TRY(fmb_goal_expect(v, s, wish));
+    fmb_status st = fmb_query_resume(&q, v, s, "optimize");
     fmb_status made =
         fmb_optimum_new(fmb_wish_sense(s, wish), (size_t)fmb_system_dim(s), &v->mem.alloc, &o);
     if (made == FMB_OK)

@@ -15,8 +15,7 @@ fmb_status fmb_optimum_new(fmb_sense sense, size_t dim, const fmb_alloc *hook, f
     o->dim = dim;
     mpq_init(o->best.value);
     fmb_status st = fmb_rationals_new(&o->point, dim, &o->mem);
-    if (st == FMB_OK)
-        st = fmb_rationals_new(&o->ray, dim, &o->mem);
+    FMB_THEN(st, fmb_rationals_new(&o->ray, dim, &o->mem));
     if (st == FMB_OK)
         *out = o;
     else

@@ -43,9 +43,8 @@ static bool has_rows_in_plenty(const fmb_part *p)
 static fmb_status eliminate_columns_that_go(part_elimination *h, bool feasible, size_t budget)
 {
     fmb_query *q = h->q;
-    bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
-    if (!drop)
-        return fmb_mem_status(q->run.mem);
+    bool *drop;
+    FMB_TRY(FMB_ARENA_GET(&q->v->arena, drop, (size_t)h->p->n));
     for (int j = 0; j < h->p->n; j++)
         drop[j] = h->place[h->p->var[j]] < 0;
     fmb_status st = fmb_query_load(q, h->p, feasible, &h->e);
@@ -189,9 +188,7 @@ static fmb_status try_bounded_elimination(part_run *r, uint64_t trials)
     fmb_mark mark;
     if (!fmb_mark_possible(e))
         return FMB_OK;
-    fmb_status st = fmb_mark_set(&mark, e);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_mark_set(&mark, e));
     size_t budget = e->rows + (size_t)trials * FMB_TRIAL_BUDGET(e->live.size);
     e->order = h.q->v->options.order;
     e->chooser = h.q->v->chooser;
@@ -200,7 +197,7 @@ static fmb_status try_bounded_elimination(part_run *r, uint64_t trials)
     e->flat = e->live.size;
     e->wide_more = WIDE_MORE;
     e->budget = budget;
-    st = fmb_elim_eliminate(e, r->reduced.drop);
+    fmb_status st = fmb_elim_eliminate(e, r->reduced.drop);
     st = expect_few_rows(e, st, r->features.kept);
     st = put_rows_of_elimination(&h, e, st, false, r->feasible, &r->done);
     if (st == FMB_OK && !r->done)

@@ -56,10 +56,8 @@ static fmb_status list_coordinates(fmb_ray_projection *h)
 {
     fmb_arena *arena = &h->of->q->v->arena;
     size_t n = (size_t)h->of->p->n + 1;
-    h->column = fmb_arena_get(arena, n, sizeof *h->column);
-    h->keep = fmb_arena_get(arena, n, sizeof *h->keep);
-    if (!h->column || !h->keep)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, h->column, n));
+    FMB_TRY(FMB_ARENA_GET(arena, h->keep, n));
     for (int j = 0; j < h->of->p->n; j++)
         if (is_column_nonzero(&h->of->e, j))
             h->column[h->d++] = (size_t)j;
@@ -95,9 +93,8 @@ static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row
 static fmb_status open_cone_of_part(fmb_ray_projection *h)
 {
     fmb_status st = list_coordinates(h);
-    if (st == FMB_OK)
-        st = fmb_cone_rows_write(&h->rows, &h->of->q->v->arena, &h->of->q->run, h->d,
-                                 h->of->e.live.size + 1, write_live_row, h);
+    FMB_THEN(st, fmb_cone_rows_write(&h->rows, &h->of->q->v->arena, &h->of->q->run, h->d,
+                                     h->of->e.live.size + 1, write_live_row, h));
     fmb_cone_problem of = {.d = h->d,
                            .m = h->rows.size,
                            .row = h->rows.row,
@@ -141,10 +138,8 @@ static fmb_status maximize_facet(fmb_ray_projection *h, fmb_oracle *o, int sign,
             st = fmb_weights_add(&form, (uint32_t)j, a, h->of->q->run.mem);
     }
     mpq_clear(a);
-    if (st == FMB_OK)
-        st = fmb_oracle_maximize(o, &form, &end, &attained);
-    if (st == FMB_OK)
-        st = fmb_oracle_multipliers(o, w);
+    FMB_THEN(st, fmb_oracle_maximize(o, &form, &end, &attained));
+    FMB_THEN(st, fmb_oracle_multipliers(o, w));
     fmb_weights_clear(&form, h->of->q->run.mem);
     return st;
 }
@@ -159,10 +154,8 @@ static fmb_status combine_dependent_rows(fmb_ray_projection *h, const fmb_image_
     fmb_program_init(&tight, h->of->q->run.mem, h->of->p->n);
     for (size_t i = 0; st == FMB_OK && i < size; i++)
         st = fmb_program_add_dense(&tight, h->row[place[i]].v, h->row[place[i]].rel);
-    if (st == FMB_OK)
-        st = fmb_oracle_new(&h->of->q->run, &tight, &o);
-    if (st == FMB_OK)
-        st = maximize_facet(h, o, 1, &w[0]);
+    FMB_THEN(st, fmb_oracle_new(&h->of->q->run, &tight, &o));
+    FMB_THEN(st, maximize_facet(h, o, 1, &w[0]));
     if (st == FMB_OK && f->equality)
         st = maximize_facet(h, o, -1, &w[1]);
     fmb_oracle_free(o);
@@ -201,9 +194,7 @@ static fmb_status combine_independent_rows(fmb_ray_projection *h, const fmb_imag
 static fmb_status open_proofs(fmb_ray_projection *h)
 {
     const fmb_elim *e = &h->of->e;
-    h->row = fmb_arena_get(&h->of->q->v->arena, e->live.size + 1, sizeof *h->row);
-    if (!h->row)
-        return fmb_mem_status(h->of->q->run.mem);
+    FMB_TRY(FMB_ARENA_GET(&h->of->q->v->arena, h->row, e->live.size + 1));
     for (size_t i = 0; i < e->live.size; i++) {
         const fmb_derived *r = &e->row[e->live.row[i]];
         h->row[i] = (fmb_lp_row){&r->v, fmb_derived_rel(r)};
@@ -219,8 +210,7 @@ static fmb_status prove_facet(fmb_ray_projection *h, const fmb_image_row *f, siz
     bool found = false;
     size_t size = list_tight_rows(h, f, place);
     fmb_status st = h->row ? FMB_OK : open_proofs(h);
-    if (st == FMB_OK)
-        st = combine_independent_rows(h, f, place, size, &w[0], &found);
+    FMB_THEN(st, combine_independent_rows(h, f, place, size, &w[0], &found));
     if (st == FMB_OK && !found)
         st = combine_dependent_rows(h, f, place, size, w);
     for (size_t k = 0; st == FMB_OK && k < 1 + (size_t)f->equality; k++) {
@@ -240,9 +230,8 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
     mpq_t one;
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
-    if (st == FMB_OK)
-        st = fmb_query_claim_implied(h->of->q, h->of->p, &h->facet, one, rel, &w[0],
-                                     f->equality ? &w[1] : NULL);
+    FMB_THEN(st, fmb_query_claim_implied(h->of->q, h->of->p, &h->facet, one, rel, &w[0],
+                                         f->equality ? &w[1] : NULL));
     mpq_clear(one);
     fmb_weights_clear(&w[0], mem);
     fmb_weights_clear(&w[1], mem);
@@ -304,9 +293,8 @@ static fmb_status exclude_faces(fmb_ray_projection *h, bool *feasible, bool *don
 {
     size_t words = h->image.words;
     bool empty;
-    uint64_t *excludes = fmb_arena_get(&h->of->q->v->arena, words, sizeof *excludes);
-    if (!excludes)
-        return fmb_mem_status(h->of->q->run.mem);
+    uint64_t *excludes;
+    FMB_TRY(FMB_ARENA_GET(&h->of->q->v->arena, excludes, words));
     memset(excludes, 0, words * sizeof *excludes);
     for (size_t b = 0; b < h->cone.bits; b++)
         if (h->rows.row[h->cone.row_of_bit[b]].wanted)
@@ -353,9 +341,8 @@ static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done
 
 fmb_status fmb_ray_projection_open(fmb_reduced_part *of, fmb_ray_projection **out)
 {
-    fmb_ray_projection *h = fmb_arena_get(&of->q->v->arena, 1, sizeof *h);
-    if (!h)
-        return fmb_mem_status(&of->q->v->mem);
+    fmb_ray_projection *h;
+    FMB_TRY(FMB_ARENA_GET(&of->q->v->arena, h, 1));
     *h = (fmb_ray_projection){.of = of};
     *out = h;
     return FMB_OK;
@@ -385,8 +372,7 @@ fmb_status fmb_ray_projection_run(fmb_ray_projection *h, fmb_system *out, bool *
     if (h->over)
         return FMB_OK;
     fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
-    if (st == FMB_OK)
-        st = fmb_cone_run(&h->cone, 0, done);
+    FMB_THEN(st, fmb_cone_run(&h->cone, 0, done));
     *done &= h->pictured || !fmb_run_is_slice_over(&h->of->q->run);
     return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
 }

@@ -36,10 +36,8 @@ static fmb_status claim_support_row(fmb_queries *h, fmb_support_row *r)
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
     fmb_status st = fmb_query_take_oracle_weights(h->q, h->p, &r->proof);
-    if (st == FMB_OK)
-        st = fmb_query_take_oracle_weights(h->q, h->p, &r->reverse);
-    if (st == FMB_OK)
-        st = fmb_query_claim_implied(h->q, h->p, &h->row, one, r->rel, &r->proof, &r->reverse);
+    FMB_THEN(st, fmb_query_take_oracle_weights(h->q, h->p, &r->reverse));
+    FMB_THEN(st, fmb_query_claim_implied(h->q, h->p, &h->row, one, r->rel, &r->proof, &r->reverse));
     mpq_clear(one);
     return st;
 }
@@ -51,8 +49,7 @@ static fmb_status put_support_row(fmb_queries *h, fmb_support_row *r, fmb_system
         mpz_set(h->z[h->column[j]], r->z.z[j]);
     mpz_set(h->z[n], r->z.z[h->k]);
     fmb_status st = fmb_vec_set_z(&h->row, n + 1, h->z, h->q->run.mem);
-    if (st == FMB_OK)
-        st = claim_support_row(h, r);
+    FMB_THEN(st, claim_support_row(h, r));
     return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->row, r->rel, h->place, out) : st;
 }
 
@@ -138,9 +135,7 @@ static fmb_status claim_inner_points(fmb_queries *h)
 
 static fmb_status list_kept_columns(fmb_queries *h)
 {
-    h->column = fmb_mem_get(h->q->run.mem, (size_t)h->p->n, sizeof *h->column);
-    if (!h->column)
-        return fmb_mem_status(h->q->run.mem);
+    FMB_TRY(FMB_GET(h->q->run.mem, h->column, (size_t)h->p->n));
     for (int j = 0; j < h->p->n; j++)
         if (h->place[h->p->var[j]] >= 0)
             h->column[h->k++] = j;
@@ -177,8 +172,7 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
         return fmb_mem_status(q->run.mem);
     *h = (fmb_queries){.q = q, .p = &q->parts.part[part], .part = part, .place = place};
     fmb_status st = list_kept_columns(h);
-    if (st == FMB_OK)
-        st = fmb_query_oracle(q, part, &o);
+    FMB_THEN(st, fmb_query_oracle(q, part, &o));
     if (st == FMB_OK && !fmb_oracle_has_solution(o))
         st = fmb_oracle_feasible(o, feasible);
     if (st != FMB_OK || !*feasible)
@@ -186,8 +180,7 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
     h->begun = true;
     st = fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
                           q->program[part].any_strict, q->claims != NULL);
-    if (st == FMB_OK)
-        st = allow_symmetries(h);
+    FMB_THEN(st, allow_symmetries(h));
     if (fmb_run_is_limited(&q->run))
         fmb_support_want_outer_rows(&h->s, FEW_QUERIES, OUTER_ROWS * h->k);
     if (st == FMB_OK && q->run.threads > 1 && !q->session)
@@ -215,8 +208,7 @@ static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
         return FMB_OK;
     fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
     fmb_status st = fmb_support_keep_images(&h->s);
-    if (st == FMB_OK)
-        st = fmb_support_keep_outer_rows(&h->s);
+    FMB_THEN(st, fmb_support_keep_outer_rows(&h->s));
     if (st == FMB_OK || st == FMB_LIMIT)
         st = put_all_support_rows(h, out);
     h->q->put_out = true;

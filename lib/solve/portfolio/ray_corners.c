@@ -20,9 +20,7 @@ static fmb_status write_over_denominator(const fmb_ray_corners *h, mpq_t *x, boo
                                          fmb_integers *out)
 {
     size_t n = (size_t)h->of->p->n;
-    fmb_status st = fmb_integers_init(out, n + 1, h->of->q->run.mem);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_integers_init(out, n + 1, h->of->q->run.mem));
     mpz_ptr t = out->z[n];
     mpz_set_ui(t, 1);
     for (size_t j = 0; j < n; j++)
@@ -100,8 +98,7 @@ static fmb_status hand_over_vector(const fmb_ray_corners *h, const fmb_vec *v, s
     if (!nonzero)
         return FMB_OK;
     fmb_status st = fmb_vec_set_z(&r->y, at + 1, r->z, q->run.mem);
-    if (st == FMB_OK)
-        st = find_solution(h, v, r->x, &x);
+    FMB_THEN(st, find_solution(h, v, r->x, &x));
     if (st == FMB_OK)
         return fmb_met_points_add(&q->met, &r->y, &x, &r->num);
     fmb_integers_clear(&x, q->run.mem);
@@ -134,10 +131,8 @@ fmb_status fmb_ray_corners_hand_over(const fmb_ray_corners *h)
     r.y.s = fmb_mem_get(mem, r.kept + 1, sizeof *r.y.s);
     fmb_met_points_begin(&q->met, mem, (int)(h->of->p - q->parts.part), r.kept);
     fmb_status st = fmb_run_open_num(&q->run, &r.num, r.kept + 1, fmb_query_is_wide(q));
-    if (st == FMB_OK)
-        st = fmb_rationals_new(&r.x, n, mem);
-    if (st == FMB_OK)
-        st = r.z && r.y.s ? hand_over_vectors(h, &r) : fmb_mem_status(mem);
+    FMB_THEN(st, fmb_rationals_new(&r.x, n, mem));
+    FMB_THEN(st, r.z && r.y.s ? hand_over_vectors(h, &r) : fmb_mem_status(mem));
     fmb_num_clear(&r.num);
     fmb_rationals_free(r.x, n, mem);
     fmb_vec_block_free(r.z, r.kept + 1, mem);

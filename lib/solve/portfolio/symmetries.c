@@ -153,9 +153,8 @@ fmb_status fmb_symmetries_of_part(fmb_query *q, int part, const int *column, siz
 static fmb_status copy_group(const fmb_group *g, fmb_permutations *to)
 {
     fmb_status st = FMB_OK;
-    int *image = fmb_mem_get(&to->mem, g->n, sizeof *image);
-    if (!image)
-        return fmb_mem_status(&to->mem);
+    int *image;
+    FMB_TRY(FMB_GET(&to->mem, image, g->n));
     for (size_t i = 0; st == FMB_OK && i < g->size; i++) {
         for (size_t j = 0; j < g->n; j++)
             image[j] = (int)g->image[i][j];
@@ -180,10 +179,8 @@ static fmb_status find_symmetries_of_all(fmb_query *q, const int *keep, int n, f
         const fmb_sysrow *r = fmb_system_row(q->s, i);
         st = fmb_program_add(&p, r->nnz, r->var, NULL, &r->val, r->rel);
     }
-    if (st == FMB_OK)
-        st = fmb_symmetry_find(&q->run, &p, keeps, &group);
-    if (st == FMB_OK)
-        st = copy_group(&group, to);
+    FMB_THEN(st, fmb_symmetry_find(&q->run, &p, keeps, &group));
+    FMB_THEN(st, copy_group(&group, to));
     fmb_group_clear(&group);
     fmb_mem_put(q->run.mem, keeps, dim, sizeof *keeps);
     fmb_program_clear(&p);
@@ -198,16 +195,14 @@ fmb_status fmb_symmetries_find(fmb_solver *v, const fmb_system *s, const int *ke
     fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
     if (st == FMB_OK && !keep && n > 0)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "keep is NULL, but n is %d", n);
-    if (st == FMB_OK)
-        st = fmb_solver_expect_variables(v, s, "keep", keep, n);
+    FMB_THEN(st, fmb_solver_expect_variables(v, s, "keep", keep, n));
     if (st != FMB_OK)
         return st;
     st = fmb_query_begin(&q, v, s, "symmetries");
     fmb_status opened = fmb_permutations_new(fmb_system_dim(s), &v->mem.alloc, &found);
     if (st == FMB_OK || st == FMB_LIMIT)
         st = opened == FMB_OK ? st : opened;
-    if (st == FMB_OK)
-        st = find_symmetries_of_all(&q, keep, n, found);
+    FMB_THEN(st, find_symmetries_of_all(&q, keep, n, found));
     bool done = st == FMB_OK;
     st = fmb_query_end(&q, st, FMB_UNKNOWN, res);
     if (v)
@@ -276,8 +271,7 @@ fmb_status fmb_rows_classes(const fmb_system *projection, const fmb_permutations
     FMB_THEN(st, fmb_arrays(&mem, true, FMB_ALL(arrays)));
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         found[i] = i;
-    if (st == FMB_OK)
-        st = class_rows(&t, p, keep, n, place, image, found);
+    FMB_THEN(st, class_rows(&t, p, keep, n, place, image, found));
     if (st == FMB_OK && m > 0)
         memcpy(class_of, found, m * sizeof *found);
     fmb_row_images_clear(&t);

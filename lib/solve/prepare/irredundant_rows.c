@@ -85,11 +85,9 @@ static fmb_status list_rows_left(remains *h)
 {
     fmb_arena *arena = &h->q->v->arena;
     size_t m = h->e->live.size;
-    h->row = fmb_arena_get(arena, m, sizeof *h->row);
-    h->rel = fmb_arena_get(arena, m, sizeof *h->rel);
-    h->fate = fmb_arena_get(arena, m, sizeof *h->fate);
-    if (!h->row || !h->rel || !h->fate)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, h->row, m));
+    FMB_TRY(FMB_ARENA_GET(arena, h->rel, m));
+    FMB_TRY(FMB_ARENA_GET(arena, h->fate, m));
     for (size_t k = 0; k < m; k++) {
         fmb_derived *r = &h->e->row[h->e->live.row[k]];
         fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e->n + 1, &h->e->num);
@@ -128,8 +126,7 @@ static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, boo
                            .kept = fmb_mem_zero(mem, m, sizeof *sorting.kept),
                            .known = known};
     fmb_status st = sorting.gone && sorting.kept ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = fmb_lp_sort_rows(&h->q->run, h->p->n, m, h->row, &sorting);
+    FMB_THEN(st, fmb_lp_sort_rows(&h->q->run, h->p->n, m, h->row, &sorting));
     if (st == FMB_OK)
         apply_sorting(h, &sorting);
     *inner = sorting.inner;
@@ -152,9 +149,7 @@ static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
 {
     size_t m = h->e->live.size;
     fmb_verdicts told = {NULL, note_equality_proof, NULL, h};
-    h->reverse = fmb_arena_get(&h->q->v->arena, m, sizeof *h->reverse);
-    if (!h->reverse)
-        return fmb_mem_status(h->q->run.mem);
+    FMB_TRY(FMB_ARENA_GET(&h->q->v->arena, h->reverse, m));
     for (size_t k = 0; k < m; k++)
         h->reverse[k] = (fmb_weights){0};
     return fmb_irredundant(&h->q->run, (size_t)h->p->n, m, h->row, h->fate,
@@ -164,11 +159,10 @@ static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
 /* Put out what is irredundant. */
 static fmb_status put_rows_that_stay(remains *h)
 {
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < h->e->live.size; k++)
+    for (size_t k = 0; k < h->e->live.size; k++)
         if (h->fate[k] != FMB_FATE_REDUNDANT)
-            st = put_irredundant_row(h, k);
-    return st;
+            FMB_TRY(put_irredundant_row(h, k));
+    return FMB_OK;
 }
 
 static void close_remains(remains *h)
@@ -183,8 +177,7 @@ fmb_status fmb_irredundant_rows_append(fmb_query *q, const fmb_part *p, const in
     remains h = {.q = q, .p = p, .place = place, .e = e, .out = out};
     bool inner = false;
     fmb_status st = list_rows_left(&h);
-    if (st == FMB_OK)
-        st = sort_rows_by_guess(&h, known, feasible, &inner);
+    FMB_THEN(st, sort_rows_by_guess(&h, known, feasible, &inner));
     if (st == FMB_OK && *feasible && !(inner && are_all_fates_known(&h)))
         st = ask_oracle_about_rows(&h, feasible);
     if (st == FMB_OK && *feasible)

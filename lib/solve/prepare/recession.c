@@ -69,11 +69,10 @@ static void add_row_to_cone(cone *c, const fmb_vec *v, int64_t *value)
 static fmb_status list_rows_of_cone(cone *c, fmb_arena *arena, bool *possible)
 {
     size_t rows = c->e->live.size, size = c->n + 1;
-    c->v = fmb_arena_get(arena, rows, sizeof *c->v);
-    c->row = fmb_arena_get(arena, rows, sizeof *c->row);
-    int64_t *value = fmb_arena_get(arena, rows * size, sizeof *value);
-    if (!c->v || !c->row || !value)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, c->v, rows));
+    FMB_TRY(FMB_ARENA_GET(arena, c->row, rows));
+    int64_t *value;
+    FMB_TRY(FMB_ARENA_GET(arena, value, rows * size));
     *possible = c->n > 0;
     for (size_t i = 0; *possible && i < rows; i++) {
         const fmb_derived *r = live_row_of_cone(c, i);
@@ -112,8 +111,7 @@ fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, fmb_arena *are
     bool possible = false;
     *recedes = false;
     fmb_status st = list_columns_of_cone(&c, drop, arena);
-    if (st == FMB_OK)
-        st = list_rows_of_cone(&c, arena, &possible);
+    FMB_THEN(st, list_rows_of_cone(&c, arena, &possible));
     if (st == FMB_OK && possible)
         st = look_for_direction(&c, recedes);
     if (st == FMB_OK && *recedes)

@@ -13,8 +13,7 @@ static fmb_status eliminate_cheap_columns(fmb_reduced_part *h)
     h->e.order = FMB_ORDER_PAIRS;
     h->e.chooser = (fmb_chooser){0};
     h->e.cheap_only = true;
-    if (st == FMB_OK)
-        st = fmb_elim_eliminate(&h->e, drop);
+    FMB_THEN(st, fmb_elim_eliminate(&h->e, drop));
     for (size_t i = 0; st == FMB_OK && i < h->e.live.size; i++)
         for (int j = 0; j < h->p->n; j++)
             h->rest |= drop[j] && fmb_vec_sgn(&h->e.row[h->e.live.row[i]].v, (size_t)j) != 0;

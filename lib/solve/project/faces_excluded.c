@@ -45,10 +45,10 @@ typedef struct closure {
 
 static fmb_status close_row(const face_search *f, const fmb_sysrow *r, mpz_t *z, fmb_lp_row *out)
 {
-    fmb_vec *v = fmb_arena_get(f->arena, 1, sizeof *v);
-    int64_t *s = fmb_arena_get(f->arena, f->n + 1, sizeof *s);
-    if (!v || !s)
-        return fmb_mem_status(f->arena->mem);
+    fmb_vec *v;
+    FMB_TRY(FMB_ARENA_GET(f->arena, v, 1));
+    int64_t *s;
+    FMB_TRY(FMB_ARENA_GET(f->arena, s, f->n + 1));
     *v = (fmb_vec){.s = s};
     *out = (fmb_lp_row){v, FMB_LE};
     fmb_sysrow_expand(r, f->n, z);
@@ -61,11 +61,9 @@ static fmb_status open_closure(closure *o, const face_search *f)
     const fmb_system *image = f->c->image;
     fmb_integers z = {0};
     *o = (closure){.n = f->n};
-    o->row = fmb_arena_get(f->arena, image->rows, sizeof *o->row);
-    o->lp = fmb_arena_get(f->arena, image->rows, sizeof *o->lp);
-    o->fate = fmb_arena_get(f->arena, image->rows, sizeof *o->fate);
-    if (!o->row || !o->lp || !o->fate)
-        return fmb_mem_status(f->arena->mem);
+    FMB_TRY(FMB_ARENA_GET(f->arena, o->row, image->rows));
+    FMB_TRY(FMB_ARENA_GET(f->arena, o->lp, image->rows));
+    FMB_TRY(FMB_ARENA_GET(f->arena, o->fate, image->rows));
     fmb_status st = fmb_integers_init(&z, f->n + 1, f->arena->mem);
     for (size_t i = 0; st == FMB_OK && i < image->rows; i++) {
         if (image->row[i].rel == FMB_EQ)
@@ -233,10 +231,9 @@ static fmb_status ask_about_doubtful_facets(face_search *f, excluded_face *face,
 static fmb_status find_facets_of_face(face_search *f, excluded_face *face)
 {
     bool more = true;
-    uint64_t *doubtful = fmb_arena_get(f->arena, f->words, sizeof *doubtful);
-    face->on = fmb_arena_get(f->arena, f->words, sizeof *face->on);
-    if (!doubtful || !face->on)
-        return fmb_mem_status(f->arena->mem);
+    uint64_t *doubtful;
+    FMB_TRY(FMB_ARENA_GET(f->arena, doubtful, f->words));
+    FMB_TRY(FMB_ARENA_GET(f->arena, face->on, f->words));
     memset(doubtful, 0, f->words * sizeof *doubtful);
     memset(face->on, 0, f->words * sizeof *face->on);
     FMB_TRY(write_row_by_facets(f, face));

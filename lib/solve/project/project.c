@@ -173,16 +173,14 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
     fmb_query q;
     fmb_system *image = NULL, *empty = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
-    FMB_THEN(st, expect_increasing(v, s, keep, n));
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_solver_expect(v, s, out != NULL, res));
+    FMB_TRY(expect_increasing(v, s, keep, n));
     int *place = places_of_kept(s, keep, n, &v->mem);
     if (!place) {
         v->answered = false; /* the evidence at hand is that of an older query */
         return FMB_ERR_MEMORY;
     }
-    st = fmb_symmetries_enter(v, s, place);
+    fmb_status st = fmb_symmetries_enter(v, s, place);
     if (st != FMB_OK) {
         v->answered = v->answered && st == FMB_ERR_ARG;
         fmb_symmetries_leave(v, s);

@@ -103,13 +103,13 @@ fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_
 {
     size_t dim = (size_t)fmb_system_dim(s);
     *p = (fmb_parts){.false_row = SIZE_MAX};
-    int *up = fmb_arena_get(arena, dim, sizeof *up);
-    bool *used = fmb_arena_get(arena, dim, sizeof *used);
-    p->of_var = fmb_arena_get(arena, dim, sizeof *p->of_var);
-    p->place = fmb_arena_get(arena, dim, sizeof *p->place);
-    p->part = fmb_arena_get(arena, dim, sizeof *p->part);
-    if (!up || !used || !p->of_var || !p->place || !p->part)
-        return fmb_mem_status(arena->mem);
+    int *up;
+    FMB_TRY(FMB_ARENA_GET(arena, up, dim));
+    bool *used;
+    FMB_TRY(FMB_ARENA_GET(arena, used, dim));
+    FMB_TRY(FMB_ARENA_GET(arena, p->of_var, dim));
+    FMB_TRY(FMB_ARENA_GET(arena, p->place, dim));
+    FMB_TRY(FMB_ARENA_GET(arena, p->part, dim));
     for (size_t j = 0; j < dim; j++) {
         up[j] = (int)j;
         used[j] = false;

@@ -97,9 +97,8 @@ static fmb_status open_look(const fmb_view *w, const bool *drop, look **opened)
 {
     fmb_elim *e = w->e;
     fmb_mem *mem = e->run->mem;
-    look *l = fmb_mem_zero(mem, 1, sizeof *l);
-    if (!l)
-        return fmb_mem_status(mem);
+    look *l;
+    FMB_TRY(FMB_GET_ZERO(mem, l, 1));
     l->mem = mem;
     l->at.room = fmb_view_rows(w);
     fmb_status st = hold_row_lists(&l->at, mem, true);

@@ -4,16 +4,13 @@
 fmb_status fmb_compressed_rows_reserve(fmb_compressed_rows *l, fmb_mem *mem, size_t more)
 {
     size_t need = l->size + more;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&l->index, &l->index_room, need, sizeof *l->index);
-    return st == FMB_OK
-               ? fmb_mem_reserve(mem, (void **)&l->value, &l->value_room, need, sizeof *l->value)
-               : st;
+    fmb_status st = FMB_RESERVE(mem, &l->index, &l->index_room, need);
+    return st == FMB_OK ? FMB_RESERVE(mem, &l->value, &l->value_room, need) : st;
 }
 
 fmb_status fmb_compressed_rows_reserve_starts(fmb_compressed_rows *l, fmb_mem *mem, size_t lists)
 {
-    return fmb_mem_reserve(mem, (void **)&l->start, &l->start_room, lists + 1, sizeof *l->start);
+    return FMB_RESERVE(mem, &l->start, &l->start_room, lists + 1);
 }
 
 void fmb_compressed_rows_free(fmb_compressed_rows *l, fmb_mem *mem)

@@ -89,8 +89,7 @@ static fmb_status write_core_factors(fmb_updated_lu *u, const fmb_markowitz *m, 
     for (int k = 0; k < m->pivots; k++)
         entries += (size_t)m->row.size[m->row_at[k]];
     fmb_status st = fmb_compressed_rows_reserve(&u->upper, mem, entries);
-    if (st == FMB_OK)
-        st = fmb_compressed_rows_reserve(&u->lower, mem, m->multipliers);
+    FMB_THEN(st, fmb_compressed_rows_reserve(&u->lower, mem, m->multipliers));
     for (int k = 0; st == FMB_OK && k < m->pivots; k++) {
         int r = m->row_at[k], c = m->column_at[k];
         const int *e = &m->row.entry[m->row.start[r]];
@@ -115,11 +114,10 @@ static fmb_status eliminate_in(fmb_updated_lu *u, fmb_arena *arena)
 {
     fmb_markowitz m;
     size_t rows = 0, columns = 0;
-    int *place = fmb_arena_get(arena, u->n, sizeof *place);
-    int *column = fmb_arena_get(arena, u->n, sizeof *column);
-    int *number = fmb_arena_get(arena, u->n, sizeof *number);
-    if (!place || !column || !number)
-        return fmb_mem_status(arena->mem);
+    int *place, *column, *number;
+    FMB_TRY(FMB_ARENA_GET(arena, place, u->n));
+    FMB_TRY(FMB_ARENA_GET(arena, column, u->n));
+    FMB_TRY(FMB_ARENA_GET(arena, number, u->n));
     for (size_t k = 0; k < u->n; k++) {
         number[k] = u->singleton_of[k] < 0 ? (int)columns : -1;
         if (number[k] >= 0)

@@ -8,9 +8,7 @@ static fmb_status transpose_rows(const fmb_updated_lu *u, const fmb_compressed_r
                                  const int *step_of, fmb_compressed_rows *to)
 {
     to->size = 0;
-    fmb_status st = fmb_compressed_rows_reserve(to, u->f->run->mem, from->size);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_compressed_rows_reserve(to, u->f->run->mem, from->size));
     memset(to->start, 0, (u->steps + 1) * sizeof *to->start);
     for (size_t t = 0; t < from->size; t++)
         to->start[step_of[from->index[t]]]++;
@@ -159,14 +157,11 @@ fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member)
     u->etas = u->entry.size = u->edge.size = u->activated.size = 0;
     memcpy(u->member, member, u->n * sizeof *member);
     set_singletons_aside(u);
-    fmb_status st = list_beside(u);
-    if (st == FMB_OK)
-        st = fmb_updated_lu_eliminate(u);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(list_beside(u));
+    FMB_TRY(fmb_updated_lu_eliminate(u));
     fill_up_with_units(u);
     memcpy(member, u->member, u->n * sizeof *member);
-    st = transpose_rows(u, &u->lower, u->step_of_place, &u->lower_by_target);
+    fmb_status st = transpose_rows(u, &u->lower, u->step_of_place, &u->lower_by_target);
     return st == FMB_OK ? transpose_rows(u, &u->upper, u->step_of_column, &u->upper_by_column) : st;
 }
 
@@ -214,16 +209,11 @@ static fmb_status activate_place(fmb_updated_lu *u, size_t k, size_t p)
 static fmb_status reserve_pivot(fmb_updated_lu *u, size_t entries, size_t edges)
 {
     fmb_mem *mem = u->f->run->mem;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&u->eta, &u->eta_room, u->etas + 1, sizeof *u->eta);
-    if (st == FMB_OK)
-        st = fmb_compressed_rows_reserve(&u->entry, mem, entries);
-    if (st == FMB_OK)
-        st = fmb_compressed_rows_reserve(&u->edge, mem, edges);
-    if (st == FMB_OK)
-        st = fmb_compressed_rows_reserve_starts(&u->entry, mem, u->etas + 1);
-    if (st == FMB_OK)
-        st = fmb_compressed_rows_reserve_starts(&u->edge, mem, u->etas + 1);
+    fmb_status st = FMB_RESERVE(mem, &u->eta, &u->eta_room, u->etas + 1);
+    FMB_THEN(st, fmb_compressed_rows_reserve(&u->entry, mem, entries));
+    FMB_THEN(st, fmb_compressed_rows_reserve(&u->edge, mem, edges));
+    FMB_THEN(st, fmb_compressed_rows_reserve_starts(&u->entry, mem, u->etas + 1));
+    FMB_THEN(st, fmb_compressed_rows_reserve_starts(&u->edge, mem, u->etas + 1));
     return st == FMB_OK ? fmb_compressed_rows_reserve_starts(&u->activated, mem, u->etas + 1) : st;
 }
 
@@ -232,8 +222,7 @@ fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member,
 {
     fmb_status st =
         reserve_pivot(u, fmb_indexed_vector_count(entry), fmb_indexed_vector_count(edge));
-    if (st == FMB_OK)
-        st = activate_place(u, u->etas, place);
+    FMB_THEN(st, activate_place(u, u->etas, place));
     if (st != FMB_OK)
         return st;
     keep_list(&u->entry, u->etas, entry, place, u->rests);

@@ -292,8 +292,7 @@ static fmb_status lift_digits(fmb_combination *c, double bits, bool *found)
             continue;
         if (guess_fractions(c, numerator))
             st = try_equations(c, numerator, 0, found);
-        if (st == FMB_OK)
-            st = fmb_run_poll_now(c->run);
+        FMB_THEN(st, fmb_run_poll_now(c->run));
         if ((double)digits >= enough)
             break;
         next += next / 2;

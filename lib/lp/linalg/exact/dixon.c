@@ -15,20 +15,17 @@ fmb_status fmb_dixon_init(fmb_dixon *l, fmb_arena *arena, const fmb_prime *q, co
     size_t n = b->n;
     *l = (fmb_dixon){.mem = arena->mem, .q = q, .b = b, .first = first, .second = second, .n = n};
     l->wide = b->bits_max > WORD_BITS;
-    l->first_step = fmb_arena_get(arena, n, sizeof *l->first_step);
-    l->second_step = fmb_arena_get(arena, n, sizeof *l->second_step);
-    l->v = fmb_arena_get(arena, n, sizeof *l->v);
-    l->word_start = fmb_arena_get(arena, n + 1, sizeof *l->word_start);
-    bool *all = fmb_arena_get(arena, n, sizeof *all);
-    if (!l->first_step || !l->second_step || !l->v || !l->word_start || !all)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, l->first_step, n));
+    FMB_TRY(FMB_ARENA_GET(arena, l->second_step, n));
+    FMB_TRY(FMB_ARENA_GET(arena, l->v, n));
+    FMB_TRY(FMB_ARENA_GET(arena, l->word_start, n + 1));
+    bool *all;
+    FMB_TRY(FMB_ARENA_GET(arena, all, n));
     l->word_start[0] = 0;
     for (size_t k = 0; k < n; k++)
         l->word_start[k + 1] =
             l->word_start[k] + (b->bits[k] <= WORD_BITS ? 1 : b->bits[k] / 64 + 2);
-    l->word = fmb_arena_get(arena, l->word_start[n], sizeof *l->word);
-    if (!l->word)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, l->word, l->word_start[n]));
     memset(all, true, n * sizeof *all);
     l->first_steps = fmb_sweep_reach(first, all, l->first_step);
     l->second_steps = fmb_sweep_reach(second, all, l->second_step);
@@ -72,8 +69,7 @@ fmb_status fmb_dixon_begin(fmb_dixon *l, mpz_t *right, const int *at)
             set_residual(l, k, fmb_integer_get_i64(b));
             continue;
         }
-        fmb_status st = fmb_mem_reserve(l->mem, (void **)&l->rest, &l->rest_room, l->rests + 1,
-                                        sizeof *l->rest);
+        fmb_status st = FMB_RESERVE(l->mem, &l->rest, &l->rest_room, l->rests + 1);
         if (st != FMB_OK)
             return st;
         fmb_dixon_rest *rest = &l->rest[l->rests++];
@@ -176,10 +172,7 @@ static void take_in_next_right_digit(fmb_dixon *l)
 fmb_status fmb_dixon_step(fmb_dixon *l)
 {
     size_t n = l->n;
-    fmb_status st = fmb_mem_reserve(l->mem, (void **)&l->digit, &l->digit_room, (l->digits + 1) * n,
-                                    sizeof *l->digit);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(FMB_RESERVE(l->mem, &l->digit, &l->digit_room, (l->digits + 1) * n));
     for (size_t k = 0; k < n; k++)
         l->v[k] = reduce_residual(l, k);
     fmb_sweep_run(l->first, l->q, l->first_step, l->first_steps, l->v);

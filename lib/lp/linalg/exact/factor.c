@@ -33,9 +33,8 @@ struct fmb_factor {
 
 fmb_status fmb_factor_new(fmb_run *run, const fmb_program *p, fmb_factor **out)
 {
-    fmb_factor *f = fmb_mem_zero(run->mem, 1, sizeof *f);
-    if (!f)
-        return fmb_mem_status(run->mem);
+    fmb_factor *f;
+    FMB_TRY(FMB_GET_ZERO(run->mem, f, 1));
     f->run = run;
     f->mem = run->mem;
     f->p = p;
@@ -92,8 +91,8 @@ fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
         basis[f->lu.row_at[k]] = f->p->m + (size_t)f->lu.column_at[k];
     if (*changed)
         st = fmb_sparse_gather(&rows, &f->passing, f->p, basis);
-    if (st == FMB_OK)
-        st = fmb_sparse_permute(&rows, &f->lasting, f->lu.row_at, f->lu.column_place, &f->b[0]);
+    FMB_THEN(st,
+             fmb_sparse_permute(&rows, &f->lasting, f->lu.row_at, f->lu.column_place, &f->b[0]));
     f->reached = fmb_arena_get(&f->lasting, f->lu.n, sizeof *f->reached);
     if (st == FMB_OK && !f->reached)
         st = fmb_mem_status(f->mem);
@@ -120,10 +119,8 @@ static fmb_status prepare_transposed(fmb_factor *f)
 static fmb_status prepare_lifting_transposed(fmb_factor *f)
 {
     fmb_status st = prepare_transposed(f);
-    if (st == FMB_OK)
-        st = fmb_sweep_transpose(&f->lu.upper, &f->lasting, &f->across[0]);
-    if (st == FMB_OK)
-        st = fmb_sweep_transpose(&f->lu.lower, &f->lasting, &f->across[1]);
+    FMB_THEN(st, fmb_sweep_transpose(&f->lu.upper, &f->lasting, &f->across[0]));
+    FMB_THEN(st, fmb_sweep_transpose(&f->lu.lower, &f->lasting, &f->across[1]));
     if (st == FMB_OK)
         st =
             fmb_dixon_init(&f->lift[1], &f->lasting, &f->q, &f->b[1], &f->across[0], &f->across[1]);
@@ -277,8 +274,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
     while (true) {
         fmb_status st = fmb_dixon_step(s->lift);
         fmb_run_count(f->run, work_of_digit(s->lift));
-        if (st == FMB_OK)
-            st = fmb_run_poll(f->run);
+        FMB_THEN(st, fmb_run_poll(f->run));
         if (st != FMB_OK)
             return st;
         fmb_integer_times_u64(f->m, f->m, f->q.p);
@@ -322,12 +318,9 @@ static fmb_status solve_by_lifting(fmb_factor *f, fmb_dixon *lift, mpz_t *right,
         fmb_integers_clear(&f->factor, f->mem);
         st = fmb_integers_init(&f->factor, lift->n, f->mem);
     }
-    if (st == FMB_OK)
-        st = fmb_dixon_begin(lift, right, right_at);
-    if (st == FMB_OK)
-        st = lift_until_found(f, &s, count_most_digits(lift->b, s.right_bits));
-    if (st == FMB_OK)
-        st = fmb_integers_settle(&f->factor, f->mem);
+    FMB_THEN(st, fmb_dixon_begin(lift, right, right_at));
+    FMB_THEN(st, lift_until_found(f, &s, count_most_digits(lift->b, s.right_bits)));
+    FMB_THEN(st, fmb_integers_settle(&f->factor, f->mem));
     if (st == FMB_OK)
         mpz_set(den, f->d);
     return st;
@@ -352,12 +345,10 @@ static fmb_status solve_factored(fmb_factor *f, bool across, mpz_t *right, mpz_t
         fmb_way_answered(FMB_WAY_TRIANGULAR, true);
         return fmb_run_poll(f->run);
     }
-    if (st == FMB_OK)
-        st = f->is_short ? prepare_minors(f) : prepare_lifting(f, across);
+    FMB_THEN(st, f->is_short ? prepare_minors(f) : prepare_lifting(f, across));
     if (st == FMB_OK && !f->is_short)
         return solve_by_lifting(f, &f->lift[across], right, right_at, at, x, den);
-    if (st == FMB_OK)
-        st = fmb_minors_solve(&f->minors, f->run, across, right, right_at, at, x, den);
+    FMB_THEN(st, fmb_minors_solve(&f->minors, f->run, across, right, right_at, at, x, den));
     return st == FMB_OK ? fmb_run_poll(f->run) : st;
 }
 

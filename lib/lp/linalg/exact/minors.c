@@ -90,13 +90,11 @@ fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_run *run)
                 st = fmb_run_poll_long(run, a[i * n + j]);
             }
             fmb_run_count(run, (n - k) * fmb_limbs_work(mpz_size(a[k * n + k])) / 2);
-            if (st == FMB_OK)
-                st = poll_row(run, f, k);
+            FMB_THEN(st, poll_row(run, f, k));
         }
         last = a[k * n + k];
     }
-    if (st == FMB_OK)
-        st = fmb_integers_settle(&f->at, mem);
+    FMB_THEN(st, fmb_integers_settle(&f->at, mem));
     return st == FMB_OK ? fmb_integers_settle(&f->y, mem) : st;
 }
 
@@ -121,8 +119,7 @@ static fmb_status go_forwards(fmb_minors *f, fmb_run *run, bool transposed)
         }
         last = p;
         fmb_run_count(run, (f->n - k) * fmb_limbs_work(mpz_size(p)) / 2);
-        if (st == FMB_OK)
-            st = poll_row(run, f, k);
+        FMB_THEN(st, poll_row(run, f, k));
     }
     return st;
 }
@@ -142,8 +139,7 @@ static fmb_status go_backwards(fmb_minors *f, fmb_run *run, bool transposed, con
         if (i + 1 < f->n)
             mpz_divexact(y[i], y[i], factor_at(f, false, i, i));
         fmb_run_count(run, (f->n - i) * fmb_limbs_work(mpz_size(y[i])) / 2);
-        if (st == FMB_OK)
-            st = poll_row(run, f, i);
+        FMB_THEN(st, poll_row(run, f, i));
     }
     return st;
 }
@@ -154,11 +150,8 @@ fmb_status fmb_minors_solve(fmb_minors *f, fmb_run *run, bool transposed, mpz_t 
     for (size_t k = 0; k < f->n; k++)
         mpz_set(f->y.z[k], right[right_at[k]]);
     mpz_srcptr det = factor_at(f, false, f->n - 1, f->n - 1);
-    fmb_status st = go_forwards(f, run, transposed);
-    if (st == FMB_OK)
-        st = go_backwards(f, run, transposed, det);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(go_forwards(f, run, transposed));
+    FMB_TRY(go_backwards(f, run, transposed, det));
     mpz_abs(den, det);
     for (size_t k = 0; k < f->n; k++)
         if (mpz_sgn(det) < 0)

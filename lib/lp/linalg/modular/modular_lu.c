@@ -152,11 +152,10 @@ static fmb_status write_upper_row(const elimination *e, fmb_arena *arena, size_t
 static fmb_status write_multipliers(const elimination *e, fmb_arena *arena, size_t k, size_t *low)
 {
     const fmb_markowitz *u = &e->sparse;
-    fmb_status st = FMB_OK;
-    for (int t = u->last[e->f->row_at[k]]; st == FMB_OK && t >= 0; t = u->multiplier[t].before)
-        st = put_sweep_term(&e->f->lower, arena, low, u->multiplier[t].pivot,
-                            u->multiplier[t].value.residue);
-    return st;
+    for (int t = u->last[e->f->row_at[k]]; t >= 0; t = u->multiplier[t].before)
+        FMB_TRY(put_sweep_term(&e->f->lower, arena, low, u->multiplier[t].pivot,
+                               u->multiplier[t].value.residue));
+    return FMB_OK;
 }
 
 static fmb_status write_factors(const elimination *e, fmb_arena *arena, size_t terms)
@@ -164,8 +163,7 @@ static fmb_status write_factors(const elimination *e, fmb_arena *arena, size_t t
     fmb_modular_lu *f = e->f;
     size_t low = 0, up = 0;
     fmb_status st = fmb_sweep_open(&f->lower, arena, f->n, terms, false);
-    if (st == FMB_OK)
-        st = fmb_sweep_open(&f->upper, arena, f->n, terms, true);
+    FMB_THEN(st, fmb_sweep_open(&f->upper, arena, f->n, terms, true));
     for (size_t k = 0; st == FMB_OK && k < f->n; k++) {
         f->lower.scale[k] = f->upper.scale[k] = 1;
         if (k < f->rank)
@@ -183,13 +181,11 @@ static fmb_status write_factors(const elimination *e, fmb_arena *arena, size_t t
 static fmb_status open_lu(fmb_modular_lu *f, fmb_arena *arena, size_t n)
 {
     *f = (fmb_modular_lu){.n = n};
-    f->row_at = fmb_arena_get(arena, n, sizeof *f->row_at);
-    f->column_at = fmb_arena_get(arena, n, sizeof *f->column_at);
-    f->row_place = fmb_arena_get(arena, n, sizeof *f->row_place);
-    f->column_place = fmb_arena_get(arena, n, sizeof *f->column_place);
-    f->turn = fmb_arena_get(arena, n, sizeof *f->turn);
-    if (!f->row_at || !f->column_at || !f->row_place || !f->column_place || !f->turn)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, f->row_at, n));
+    FMB_TRY(FMB_ARENA_GET(arena, f->column_at, n));
+    FMB_TRY(FMB_ARENA_GET(arena, f->row_place, n));
+    FMB_TRY(FMB_ARENA_GET(arena, f->column_place, n));
+    FMB_TRY(FMB_ARENA_GET(arena, f->turn, n));
     memset(f->row_place, -1, n * sizeof *f->row_place);
     memset(f->column_place, -1, n * sizeof *f->column_place);
     return FMB_OK;
@@ -200,13 +196,9 @@ fmb_status fmb_modular_lu_factor(fmb_modular_lu *f, fmb_run *run, fmb_arena *las
 {
     elimination e = {.f = f, .q = q};
     bool whole;
-    fmb_status st = open_lu(f, lasting, a->n);
-    if (st == FMB_OK)
-        st = load_residues(&e, run, passing, a, &whole);
-    if (st == FMB_OK)
-        st = take_pivots(&e, whole);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(open_lu(f, lasting, a->n));
+    FMB_TRY(load_residues(&e, run, passing, a, &whole));
+    FMB_TRY(take_pivots(&e, whole));
     place_all_pivots(&e);
     return write_factors(&e, lasting, a->start[a->n]);
 }

@@ -100,9 +100,7 @@ fmb_status fmb_sparse_permute(const fmb_sparse *s, fmb_arena *arena, const int *
 fmb_status fmb_sparse_transpose(const fmb_sparse *s, fmb_arena *arena, fmb_sparse *to)
 {
     size_t n = s->n;
-    fmb_status st = allocate_sparse(to, arena, n, s->start[n], s->big != NULL);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(allocate_sparse(to, arena, n, s->start[n], s->big != NULL));
     for (size_t k = 0; k <= n; k++)
         to->start[k] = 0;
     for (size_t t = 0; t < s->start[n]; t++)

@@ -7,18 +7,16 @@ fmb_status fmb_sweep_reserve(fmb_sweep *w, fmb_arena *arena, size_t terms)
 {
     fmb_status st =
         fmb_arena_reserve(arena, (void **)&w->index, &w->index_room, terms, sizeof(int));
-    if (st == FMB_OK)
-        st = fmb_arena_reserve(arena, (void **)&w->value, &w->value_room, terms, sizeof(uint64_t));
+    FMB_THEN(st,
+             fmb_arena_reserve(arena, (void **)&w->value, &w->value_room, terms, sizeof(uint64_t)));
     return st;
 }
 
 fmb_status fmb_sweep_open(fmb_sweep *w, fmb_arena *arena, size_t n, size_t terms, bool down)
 {
     *w = (fmb_sweep){.n = n, .down = down};
-    w->start = fmb_arena_get(arena, n + 1, sizeof *w->start);
-    w->scale = fmb_arena_get(arena, n, sizeof *w->scale);
-    if (!w->start || !w->scale)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, w->start, n + 1));
+    FMB_TRY(FMB_ARENA_GET(arena, w->scale, n));
     w->start[0] = 0;
     return fmb_sweep_reserve(w, arena, terms);
 }
@@ -26,9 +24,7 @@ fmb_status fmb_sweep_open(fmb_sweep *w, fmb_arena *arena, size_t n, size_t terms
 fmb_status fmb_sweep_transpose(const fmb_sweep *w, fmb_arena *arena, fmb_sweep *to)
 {
     size_t n = w->n, terms = w->start[n];
-    fmb_status st = fmb_sweep_open(to, arena, n, terms, !w->down);
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(fmb_sweep_open(to, arena, n, terms, !w->down));
     memset(to->start, 0, (n + 1) * sizeof *to->start);
     for (size_t t = 0; t < terms; t++)
         to->start[w->index[t] + 1]++;

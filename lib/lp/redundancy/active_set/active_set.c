@@ -226,8 +226,7 @@ static fmb_status test_inactive_row(fmb_active_set *s, size_t i)
         if (guess == FMB_GUESS_INSIDE && s->gone[i])
             return st;
         size_t j = guess == FMB_GUESS_OUTSIDE ? find_row_to_activate(s) : i;
-        if (st == FMB_OK)
-            st = activate_row_in_cone(s, j == SIZE_MAX ? i : j);
+        FMB_THEN(st, activate_row_in_cone(s, j == SIZE_MAX ? i : j));
         FMB_THEN(st, fmb_run_poll(s->run));
     }
     return st;
