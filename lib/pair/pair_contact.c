@@ -121,25 +121,6 @@ static void ask_kernels(contact_query *x)
     ask_block(x);
 }
 
-fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim, size_t i)
-{
-    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
-                              .verdict = o->verdict + i,
-                              .world = o->world ? o->world + 2 * dim * i : NULL,
-                              .inside = o->inside ? o->inside + 2 * dim * i : NULL,
-                              .time = o->time ? o->time + 2 * i : NULL,
-                              .witness = o->witness ? o->witness + dim * i : NULL,
-                              .depth = o->depth ? o->depth + i : NULL,
-                              .normal = o->normal ? o->normal + dim * i : NULL,
-                              .faces = o->faces ? o->faces + 2 * i : NULL,
-                              .points =
-                                  o->points ? o->points + FMB_PAIR_MOST_POINTS * dim * i : NULL,
-                              .npoints = o->npoints ? o->npoints + i : NULL,
-                              .distance = o->distance ? o->distance + i : NULL,
-                              .nearest = o->nearest ? o->nearest + 2 * dim * i : NULL,
-                              .offset = o->offset ? o->offset + i : NULL};
-}
-
 /* ---- what kernels leave ---------------------------------------------------------------------- */
 
 void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, const double *normal,
@@ -273,7 +254,7 @@ fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, con
         if (!fmb_pair_is_cancelled(k))
             ask_kernels(&x);
         for (size_t i = 0; i < x.n; i++) {
-            fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, from + i);
+            fmb_pair_answers some = fmb_pair_answers_from(out, (size_t)k->dim, from + i);
             *some.verdict = FMB_UNKNOWN;
             if (!fmb_pair_is_cancelled(k))
                 FMB_TRY(answer_contact_of_pair(&x, i, &some));

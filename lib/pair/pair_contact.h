@@ -6,7 +6,7 @@
 
 #include "pair/contact/contact_near.h"
 #include "pair/kernels/packed_kernels.h"
-#include "pair/pair_private.h"
+#include "pair/single_pair.h"
 
 /* Of pairs that meet: does out ask for more than fmb_pair_answer_all answers? Of those that do not?
  */
@@ -25,9 +25,6 @@ static inline bool fmb_pair_answers_more(const fmb_pair_answers *out)
 {
     return out->world || out->inside || out->time || out->witness;
 }
-
-/* The answers from pair i on. */
-fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim, size_t i);
 
 /* What goes with a depth and its normal: all of out, of this one pair, but its verdict. */
 void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, const double *normal,

@@ -20,17 +20,23 @@ fmb_status fmb_single_pair_refuse(const fmb_pair_call *a, size_t i)
 
 /* ---- boxes ----------------------------------------------------------------------------------- */
 
-/* The places of pair i. */
-static fmb_pair_answers answers_of(const fmb_pair_call *a, size_t i)
+fmb_pair_answers fmb_pair_answers_from(const fmb_pair_answers *o, size_t dim, size_t i)
 {
-    size_t dim = (size_t)a->k->dim;
-    const fmb_pair_answers *o = a->out;
     return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
                               .verdict = o->verdict + i,
                               .world = o->world ? o->world + 2 * dim * i : NULL,
                               .inside = o->inside ? o->inside + 2 * dim * i : NULL,
                               .time = o->time ? o->time + 2 * i : NULL,
-                              .witness = o->witness ? o->witness + dim * i : NULL};
+                              .witness = o->witness ? o->witness + dim * i : NULL,
+                              .depth = o->depth ? o->depth + i : NULL,
+                              .normal = o->normal ? o->normal + dim * i : NULL,
+                              .faces = o->faces ? o->faces + 2 * i : NULL,
+                              .points =
+                                  o->points ? o->points + FMB_PAIR_MOST_POINTS * dim * i : NULL,
+                              .npoints = o->npoints ? o->npoints + i : NULL,
+                              .distance = o->distance ? o->distance + i : NULL,
+                              .nearest = o->nearest ? o->nearest + 2 * dim * i : NULL,
+                              .offset = o->offset ? o->offset + i : NULL};
 }
 
 static bool asks_exactly(const fmb_pair_call *a)
@@ -41,7 +47,7 @@ static bool asks_exactly(const fmb_pair_call *a)
 /* More than a verdict, which is FEASIBLE. */
 static fmb_status answer_exactly(const fmb_pair_call *a, size_t i)
 {
-    fmb_pair_answers out = answers_of(a, i);
+    fmb_pair_answers out = fmb_pair_answers_from(a->out, (size_t)a->k->dim, i);
     if (!asks_exactly(a)) {
         *out.verdict = FMB_UNKNOWN;
         return FMB_OK;
@@ -61,7 +67,7 @@ static fmb_exact_boxer *need_boxer(fmb_pair *k)
 fmb_status fmb_single_pair_answer(const fmb_pair_call *a, size_t i)
 {
     const fmb_pair *k = a->k;
-    fmb_pair_answers out = answers_of(a, i);
+    fmb_pair_answers out = fmb_pair_answers_from(a->out, (size_t)a->k->dim, i);
     fmb_corner_edges p, q;
     if (k->options.method == FMB_PAIR_EXACT)
         return answer_exactly(a, i);

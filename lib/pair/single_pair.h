@@ -18,6 +18,9 @@ typedef struct fmb_pair_call {
     const fmb_pair_kernels *kernels;
 } fmb_pair_call;
 
+/* The places of answers from pair i on. */
+fmb_pair_answers fmb_pair_answers_from(const fmb_pair_answers *o, size_t dim, size_t i);
+
 /* Are both frames of pair i good? */
 static inline bool fmb_single_pair_is_good(const fmb_pair_call *a, size_t i)
 {

@@ -3,7 +3,8 @@
 
 #include "num/rationals.h"
 
-fmb_status fmb_proximity_new(int dim, fmb_norm norm, const fmb_alloc *hook, fmb_proximity **out)
+/* [give] All zeros. Errors: MEMORY. */
+static fmb_status new_proximity(int dim, fmb_norm norm, const fmb_alloc *hook, fmb_proximity **out)
 {
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
@@ -68,7 +69,7 @@ fmb_status fmb_proximity_find(fmb_solver *v, const fmb_two *two, fmb_norm norm, 
     if (st != FMB_OK)
         return st;
     st = fmb_minkowski_init(&m, two, &v->mem);
-    FMB_THEN(st, fmb_proximity_new(m.dim, norm, &v->mem.alloc, &p));
+    FMB_THEN(st, new_proximity(m.dim, norm, &v->mem.alloc, &p));
     FMB_THEN(st, way(v, &m, p, &r));
     fmb_minkowski_clear(&m);
     bool found =

@@ -19,9 +19,6 @@ struct fmb_proximity {
                         asked */
 };
 
-/* [give] All zeros. Errors: MEMORY. */
-fmb_status fmb_proximity_new(int dim, fmb_norm norm, const fmb_alloc *mem, fmb_proximity **out);
-
 /* An answer about M, given all zeros. Errors: MEMORY. */
 typedef fmb_status fmb_proximity_way(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out,
                                      fmb_result *res);

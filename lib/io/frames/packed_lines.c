@@ -46,15 +46,6 @@ void fmb_packed_read(const unsigned char *from, int size, size_t n, double *to)
     }
 }
 
-void fmb_packed_write(const double *from, size_t n, unsigned char *to)
-{
-    for (size_t i = 0; i < n; i++) {
-        uint64_t word;
-        memcpy(&word, &from[i], sizeof word);
-        write_word(word, 8, to + 8 * i);
-    }
-}
-
 /* ---- headers --------------------------------------------------------------------------------- */
 
 static bool has_possible_axes(const fmb_packed_block *b, int k)
@@ -87,21 +78,6 @@ const char *fmb_packed_decode(const unsigned char *from, fmb_packed_block *out)
                                                             : NULL;
 }
 
-void fmb_packed_encode(const fmb_packed_block *b, unsigned char *to)
-{
-    memset(to, 0, FMB_PACKED_HEADER);
-    memcpy(to, magic, sizeof magic);
-    to[8] = VERSION;
-    to[9] = b->size;
-    to[10] = b->shape[0];
-    to[11] = b->shape[1];
-    to[12] = (unsigned char)(b->moves[0] | b->moves[1] << 1);
-    write_word(b->dim, 4, to + 16);
-    write_word(b->naxes[0], 4, to + 20);
-    write_word(b->naxes[1], 4, to + 24);
-    write_word(b->pairs, 4, to + 28);
-}
-
 /* ---- writing --------------------------------------------------------------------------------- */
 
 static bool is_outline_packable(const fmb_frame *f, int dim)
@@ -121,7 +97,11 @@ static bool write_numbers(FILE *out, const double *x, size_t n)
     bool good = true;
     for (size_t i = 0; good && i < n; i += 64) {
         size_t some = n - i < 64 ? n - i : 64;
-        fmb_packed_write(x + i, some, bytes);
+        for (size_t k = 0; k < some; k++) {
+            uint64_t word;
+            memcpy(&word, &x[i + k], sizeof word);
+            write_word(word, 8, bytes + 8 * k);
+        }
         good = fwrite(bytes, 8, some, out) == some;
     }
     return good;
@@ -136,14 +116,17 @@ static bool write_frame(FILE *out, const fmb_frame *f)
 
 static bool write_header(FILE *out, const fmb_frame *p, const fmb_frame *q, size_t pairs)
 {
-    unsigned char header[FMB_PACKED_HEADER];
-    const fmb_packed_block b = {.dim = (uint32_t)p->dim,
-                                .naxes = {(uint32_t)p->naxes, (uint32_t)q->naxes},
-                                .pairs = (uint32_t)pairs,
-                                .size = 8,
-                                .shape = {(uint8_t)p->shape, (uint8_t)q->shape},
-                                .moves = {p->speed != NULL, q->speed != NULL}};
-    fmb_packed_encode(&b, header);
+    unsigned char header[FMB_PACKED_HEADER] = {0};
+    memcpy(header, magic, sizeof magic);
+    header[8] = VERSION;
+    header[9] = 8;
+    header[10] = (unsigned char)p->shape;
+    header[11] = (unsigned char)q->shape;
+    header[12] = (unsigned char)((p->speed != NULL) | (q->speed != NULL) << 1);
+    write_word((uint64_t)p->dim, 4, header + 16);
+    write_word((uint64_t)p->naxes, 4, header + 20);
+    write_word((uint64_t)q->naxes, 4, header + 24);
+    write_word(pairs, 4, header + 28);
     return fwrite(header, 1, sizeof header, out) == sizeof header;
 }
 

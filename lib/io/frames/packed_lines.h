@@ -19,7 +19,6 @@ typedef struct fmb_packed_block {
 
 /* NULL, or what is wrong with these FMB_PACKED_HEADER bytes ("dimension"). */
 const char *fmb_packed_decode(const unsigned char *from, fmb_packed_block *out);
-void fmb_packed_encode(const fmb_packed_block *b, unsigned char *to);
 /* Numbers of frame k. */
 static inline size_t fmb_packed_numbers(const fmb_packed_block *b, int k)
 {
@@ -28,6 +27,5 @@ static inline size_t fmb_packed_numbers(const fmb_packed_block *b, int k)
 
 /* n little-endian numbers of that size. */
 void fmb_packed_read(const unsigned char *from, int size, size_t n, double *to);
-void fmb_packed_write(const double *from, size_t n, unsigned char *to);
 
 #endif

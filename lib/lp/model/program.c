@@ -91,7 +91,8 @@ static fmb_status add_held_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec
     return FMB_OK;
 }
 
-void fmb_program_drop_last(fmb_program *p)
+/* The last row goes again. */
+static void drop_last_row(fmb_program *p)
 {
     size_t i = p->m - 1, size = p->row[i].size;
     free_held_value(p, i);
@@ -111,7 +112,7 @@ static fmb_status finish_held_row(fmb_program *p, fmb_vec *v, fmb_status st)
     else if (st == FMB_OK)
         fmb_vec_measure(v, entries);
     if (st != FMB_OK)
-        fmb_program_drop_last(p);
+        drop_last_row(p);
     return st;
 }
 
@@ -123,7 +124,7 @@ fmb_status fmb_program_add_copy(fmb_program *p, size_t size, const int *column,
     memcpy(p->row[p->m - 1].column, column, size * sizeof *column);
     fmb_status st = fmb_vec_copy(to, value, size + 1, p->mem);
     if (st != FMB_OK)
-        fmb_program_drop_last(p);
+        drop_last_row(p);
     return st;
 }
 

@@ -52,8 +52,6 @@ fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from,
                                         int lift);
 /* Append z[0..n).x REL z[n], copied. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_add_integers(fmb_program *p, mpz_t *z, fmb_rel rel);
-/* The last row goes again. */
-void fmb_program_drop_last(fmb_program *p);
 
 /* to += a_i.x, x[n]. */
 void fmb_program_add_product(const fmb_program *p, size_t i, mpz_t *x, mpz_t to);

@@ -22,7 +22,6 @@ typedef enum fmb_oracle_end { FMB_ORACLE_OPTIMUM = 0, FMB_ORACLE_UNBOUNDED } fmb
 /* p must outlive the oracle. Errors: MEMORY, LIMIT. */
 fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out);
 void fmb_oracle_free(fmb_oracle *o);
-const fmb_program *fmb_oracle_program(const fmb_oracle *o);
 
 /* Is there a solution? If so fmb_oracle_point reads it, else fmb_oracle_conflict says why not. */
 fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible);

@@ -94,11 +94,6 @@ fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible)
     return FMB_OK;
 }
 
-const fmb_program *fmb_oracle_program(const fmb_oracle *o)
-{
-    return o->p;
-}
-
 bool fmb_oracle_has_solution(const fmb_oracle *o)
 {
     return o->feasible;

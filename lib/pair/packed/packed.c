@@ -78,7 +78,7 @@ static fmb_status answer_by_portions(fmb_pair *k, const fmb_frames *a, const fmb
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < n; i += FMB_PACKED_AT_ONCE) {
-        fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, i);
+        fmb_pair_answers some = fmb_pair_answers_from(out, (size_t)k->dim, i);
         st = answer_as_frames(k, a, b, n - i < FMB_PACKED_AT_ONCE ? n - i : FMB_PACKED_AT_ONCE,
                               pair + i, known, &some);
     }

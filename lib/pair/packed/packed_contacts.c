@@ -51,7 +51,7 @@ static fmb_status write_contact(const contacts_query *x, fmb_frames_pair pair,
         write_length(x->k->dim, from->depth, from->normal, lane, i, out->depth, out);
         return FMB_OK;
     }
-    fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+    fmb_pair_answers one = fmb_pair_answers_from(out, (size_t)x->k->dim, i);
     if (!good)
         return answer_contact_as_frames(x, pair, &one);
     for (int j = 0; j < x->k->dim; j++)
@@ -71,7 +71,7 @@ static fmb_status write_distance(const contacts_query *x, fmb_frames_pair pair,
         write_length(x->k->dim, from->distance, from->normal, lane, i, out->distance, out);
         return FMB_OK;
     }
-    fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+    fmb_pair_answers one = fmb_pair_answers_from(out, (size_t)x->k->dim, i);
     fmb_frame p = fmb_frames_at(x->a, pair.a), q = fmb_frames_at(x->b, pair.b);
     fmb_pair_near near;
     if (good)
@@ -120,7 +120,7 @@ static fmb_status answer_decided(const contacts_query *x, fmb_frames_pair pair, 
     fmb_verdict verdict = out->verdict[i];
     bool meet = verdict == FMB_FEASIBLE;
     if (verdict == FMB_UNKNOWN) {
-        fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+        fmb_pair_answers one = fmb_pair_answers_from(out, (size_t)x->k->dim, i);
         return answer_contact_as_frames(x, pair, &one);
     }
     if (meet && out->distance)
@@ -185,7 +185,7 @@ fmb_status fmb_packed_contacts(fmb_pair *k, const fmb_frames *a, const fmb_frame
         run = 1;
         plan_contacts(&x, pair[i]);
         if (!x.planned || fmb_pair_answers_more(out)) {
-            fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)k->dim, i);
+            fmb_pair_answers one = fmb_pair_answers_from(out, (size_t)k->dim, i);
             st = answer_contact_as_frames(&x, pair[i], &one);
             continue;
         }

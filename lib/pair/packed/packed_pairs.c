@@ -122,11 +122,11 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
     }
     k->counts.pairs += n;
     if (fmb_contact_asks_depth(o) || fmb_contact_asks_distance(o)) {
-        fmb_pair_answers some = fmb_contact_answers_from(o, (size_t)k->dim, from);
+        fmb_pair_answers some = fmb_pair_answers_from(o, (size_t)k->dim, from);
         return fmb_packed_contacts(k, x->a, x->b, n, pair, &some);
     }
     if (fmb_pair_answers_more(o)) {
-        fmb_pair_answers some = fmb_contact_answers_from(o, (size_t)k->dim, from);
+        fmb_pair_answers some = fmb_pair_answers_from(o, (size_t)k->dim, from);
         return fmb_packed_answer(k, x->a, x->b, n, pair, &some);
     }
     return x->a->only >= 0 && x->b->only >= 0
@@ -166,8 +166,7 @@ static fmb_status answer_by_threads(fmb_pair *k, const pairs_query *x)
     r.failed = fmb_mem_get(&k->mem, jobs, sizeof *r.failed);
     r.st = r.failed ? fmb_mem_get(&k->mem, jobs, sizeof *r.st) : NULL;
     fmb_status st = r.st ? FMB_OK : fmb_mem_status(&k->mem);
-    if (st == FMB_OK)
-        st = fmb_packed_do(k, jobs, answer_some_portions, &r);
+    FMB_THEN(st, fmb_packed_do(k, jobs, answer_some_portions, &r));
     if (st == FMB_OK) {
         while (job + 1 < jobs && r.st[job] == FMB_OK)
             job++;
@@ -182,10 +181,9 @@ static fmb_status answer_by_threads(fmb_pair *k, const pairs_query *x)
 
 static fmb_status answer_alone(fmb_pair *k, const pairs_query *x)
 {
-    fmb_status st = FMB_OK;
-    for (size_t from = 0; st == FMB_OK && from < x->n; from += PORTION)
-        st = answer_portion(k, x, from);
-    return st;
+    for (size_t from = 0; from < x->n; from += PORTION)
+        FMB_TRY(answer_portion(k, x, from));
+    return FMB_OK;
 }
 
 fmb_status fmb_frames_test(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
