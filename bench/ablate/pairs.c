@@ -6,16 +6,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Dimensions and whether something moves; pairs of a block: about as long for each. */
+/* Dimensions, whether something moves, and which contact counts; pairs of a block: about as long
+ * for each. */
 static const struct {
     const char *name;
     int dim, naxes;
     bool moves, by_corners;
+    fmb_contact contact;
     size_t pairs;
-} CASE[] = {{"2D", 2, 0, false, false, 400},        {"3D", 3, 0, false, false, 400},
-            {"3D moving", 3, 0, true, false, 200},  {"3D few axes", 3, 2, false, false, 200},
-            {"3D corners", 3, 0, false, true, 400}, {"4D", 4, 0, false, false, 20},
-            {"5D", 5, 0, false, false, 5}};
+} CASE[] = {{"2D", 2, 0, false, false, FMB_CONTACT_CLOSED, 400},
+            {"3D", 3, 0, false, false, FMB_CONTACT_CLOSED, 400},
+            {"3D moving", 3, 0, true, false, FMB_CONTACT_CLOSED, 200},
+            {"3D few axes", 3, 2, false, false, FMB_CONTACT_CLOSED, 200},
+            {"3D corners", 3, 0, false, true, FMB_CONTACT_CLOSED, 400},
+            {"4D", 4, 0, false, false, FMB_CONTACT_CLOSED, 20},
+            {"5D", 5, 0, false, false, FMB_CONTACT_CLOSED, 5},
+            {"6D open", 6, 0, false, false, FMB_CONTACT_OPEN, 5},
+            {"9D", 9, 0, false, false, FMB_CONTACT_CLOSED, 3}};
 
 enum { CASES = sizeof CASE / sizeof *CASE };
 
@@ -36,6 +43,7 @@ void pair_block_draw(size_t number, uint64_t seed, pair_block *block, problem *p
                                    .naxes = {CASE[k].naxes, CASE[k].naxes}},
                           .seed = seed,
                           .by_corners = CASE[k].by_corners,
+                          .contact = CASE[k].contact,
                           .pairs = CASE[k].pairs};
     *p = (problem){.n = CASE[k].dim, .own = block};
     snprintf(p->name, sizeof p->name, "pairs %s:%s_%" PRIu64, study_pair_family_text(family),
@@ -66,7 +74,7 @@ static void *open_pairs(const problem *p, const peer_setup *setup)
 {
     const pair_block *b = p->own;
     state *s = need(calloc(1, sizeof *s));
-    fmb_pair_options options = {.size = sizeof options, .tightest = true};
+    fmb_pair_options options = {.size = sizeof options, .contact = b->contact, .tightest = true};
     if (fmb_pair_new(p->n, &options, NULL, &s->solver) != FMB_OK ||
         study_pairs_make(&b->plan, b->seed, b->pairs, NULL, NULL, &s->pairs) != FMB_OK)
         need(NULL);

@@ -12,10 +12,12 @@ typedef struct pair_block {
     study_pair_plan plan;
     uint64_t seed;
     bool by_corners; /* simplices are told by them */
+    fmb_contact contact;
     size_t pairs;
 } pair_block;
 
-/* Blocks of all families, in a few dimensions, still and moving: how many there are. */
+/* Blocks of all families, in a few dimensions, still and moving, closed and open: how many there
+ * are. */
 size_t pair_blocks(void);
 /* A problem that owns nothing but its name; *block must outlive it. */
 void pair_block_draw(size_t number, uint64_t seed, pair_block *block, problem *p);

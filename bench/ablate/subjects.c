@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "../peers/polytope.h"
+#include "../shapes.h"
 #include "pairs.h"
 #include "study/program/program.h"
 #include "study/program/projection.h"
@@ -112,7 +113,20 @@ static void ask_programs(uint64_t seed, const asking *a)
     }
 }
 
-/* Verdicts on systems of a few rows, as pairs of bodies and loops of programs ask for them. */
+/* The system that says where two bodies meet, of each kind. */
+static void ask_pair_systems(uint64_t seed, const asking *a)
+{
+    for (unsigned kind = 0; kind < SHAPE_KINDS; kind++) {
+        problem p;
+        char shape[16], name[sizeof p.name];
+        fmb_system *s = need(shape_pair(kind + SHAPE_KINDS * (unsigned)(seed % 1000000), shape));
+        snprintf(name, sizeof name, "decide %s_%" PRIu64, shape, seed);
+        problem_of_system(&p, name, s);
+        a->ask(a->self, &p, PEER_DECIDE);
+    }
+}
+
+/* Verdicts on systems of a few rows, as loops of programs ask for them. */
 static void ask_tiny_programs(uint64_t seed, const asking *a)
 {
     static const char *const NAME[] = {"dense-origin", "dense-point", "dense-conflict", "strict"};
@@ -228,6 +242,7 @@ bool subjects_each(const subject_plan *plan, subject_ask *ask, void *self)
     for (uint64_t seed = plan->seed; seed < plan->seed + plan->each; seed++) {
         ask_projections(seed, &a);
         ask_programs(seed, &a);
+        ask_pair_systems(seed, &a);
         ask_tiny_programs(seed, &a);
         ask_polytopes(seed, &a);
         ask_pairs(seed, &a);
