@@ -12,9 +12,8 @@ fmb_status fmb_permutations_new(int dim, const fmb_alloc *hook, fmb_permutations
     if (dim < 0 || !out)
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, hook, 0);
-    fmb_permutations *p = fmb_mem_zero(&mem, 1, sizeof *p);
-    if (!p)
-        return FMB_ERR_MEMORY;
+    fmb_permutations *p;
+    FMB_TRY(FMB_GET_ZERO(&mem, p, 1));
     p->mem = mem;
     p->dim = dim;
     *out = p;

@@ -13,9 +13,8 @@ fmb_status fmb_generators_new(int dim, const fmb_alloc *hook, fmb_generators **o
     if (dim < 0 || !out)
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, hook, 0);
-    fmb_generators *g = fmb_mem_zero(&mem, 1, sizeof *g);
-    if (!g)
-        return FMB_ERR_MEMORY;
+    fmb_generators *g;
+    FMB_TRY(FMB_GET_ZERO(&mem, g, 1));
     g->mem = mem;
     g->dim = dim;
     *out = g;

@@ -28,9 +28,8 @@ fmb_status fmb_system_matrix(const fmb_system *s, fmb_matrix **out)
     if (!s || !out)
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, &s->mem.alloc, 0);
-    owned_matrix *o = fmb_mem_zero(&mem, 1, sizeof *o);
-    if (!o)
-        return FMB_ERR_MEMORY;
+    owned_matrix *o;
+    FMB_TRY(FMB_GET_ZERO(&mem, o, 1));
     o->mem = mem;
     bool has_room = reserve_matrix(o, fmb_system_rows(s), fmb_system_nonzeros(s));
     o->shown.dim = fmb_system_dim(s);

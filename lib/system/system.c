@@ -43,9 +43,8 @@ fmb_status fmb_system_new(int dim, const fmb_alloc *hook, fmb_system **out)
         return FMB_ERR_ARG;
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
-    fmb_system *s = fmb_mem_zero(&mem, 1, sizeof *s);
-    if (!s)
-        return FMB_ERR_MEMORY;
+    fmb_system *s;
+    FMB_TRY(FMB_GET_ZERO(&mem, s, 1));
     s->mem = mem;
     for (int j = 0; j < dim; j++) {
         fmb_status st = add_default_name(s);

@@ -182,9 +182,8 @@ fmb_status fmb_evidence_new(int dim, size_t rows, const fmb_alloc *hook, fmb_evi
 {
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
-    fmb_evidence *e = fmb_mem_zero(&mem, 1, sizeof *e);
-    if (!e)
-        return FMB_ERR_MEMORY;
+    fmb_evidence *e;
+    FMB_TRY(FMB_GET_ZERO(&mem, e, 1));
     e->mem = mem;
     atomic_init(&e->holders, 1);
     e->dim = dim;

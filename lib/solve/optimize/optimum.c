@@ -7,9 +7,8 @@ fmb_status fmb_optimum_new(fmb_sense sense, size_t dim, const fmb_alloc *hook, f
 {
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
-    fmb_optimum *o = fmb_mem_zero(&mem, 1, sizeof *o);
-    if (!o)
-        return FMB_ERR_MEMORY;
+    fmb_optimum *o;
+    FMB_TRY(FMB_GET_ZERO(&mem, o, 1));
     o->mem = mem;
     o->sense = sense;
     o->dim = dim;

@@ -9,9 +9,8 @@ fmb_status fmb_box_new(const int *var, int size, const fmb_alloc *hook, fmb_box 
 {
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
-    fmb_box *b = fmb_mem_zero(&mem, 1, sizeof *b);
-    if (!b)
-        return FMB_ERR_MEMORY;
+    fmb_box *b;
+    FMB_TRY(FMB_GET_ZERO(&mem, b, 1));
     b->mem = mem;
     b->var = fmb_mem_get(&b->mem, (size_t)size, sizeof *b->var);
     b->side = fmb_mem_zero(&b->mem, (size_t)size, sizeof *b->side);

@@ -12,9 +12,8 @@ fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solve
         return FMB_ERR_ARG;
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
-    fmb_solver *v = fmb_mem_zero(&mem, 1, sizeof *v);
-    if (!v)
-        return FMB_ERR_MEMORY;
+    fmb_solver *v;
+    FMB_TRY(FMB_GET_ZERO(&mem, v, 1));
     v->mem = mem;
     atomic_init(&v->cancel, 0);
     fmb_arena_init(&v->arena, &v->mem);

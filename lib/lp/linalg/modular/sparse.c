@@ -104,20 +104,17 @@ fmb_status fmb_sparse_transpose(const fmb_sparse *s, fmb_arena *arena, fmb_spars
     for (size_t k = 0; k <= n; k++)
         to->start[k] = 0;
     for (size_t t = 0; t < s->start[n]; t++)
-        to->start[s->index[t] + 1]++;
-    for (size_t k = 0; k < n; k++)
-        to->start[k + 1] += to->start[k];
-    for (size_t i = 0; i < n; i++)
+        to->start[s->index[t]]++;
+    for (size_t k = 1; k <= n; k++)
+        to->start[k] += to->start[k - 1];
+    for (size_t i = n; i-- > 0;)
         for (size_t t = s->start[i]; t < s->start[i + 1]; t++) {
-            size_t at = to->start[s->index[t]]++;
+            size_t at = --to->start[s->index[t]];
             to->index[at] = (int)i;
             to->value[at] = s->value[t];
             if (s->big)
                 to->big[at] = s->big[t];
         }
-    for (size_t k = n; k > 0; k--)
-        to->start[k] = to->start[k - 1];
-    to->start[0] = 0;
     for (size_t k = 0; k < n; k++)
         measure_sparse_row(to, k);
     return FMB_OK;

@@ -27,18 +27,15 @@ fmb_status fmb_sweep_transpose(const fmb_sweep *w, fmb_arena *arena, fmb_sweep *
     FMB_TRY(fmb_sweep_open(to, arena, n, terms, !w->down));
     memset(to->start, 0, (n + 1) * sizeof *to->start);
     for (size_t t = 0; t < terms; t++)
-        to->start[w->index[t] + 1]++;
-    for (size_t k = 0; k < n; k++)
-        to->start[k + 1] += to->start[k];
-    for (size_t k = 0; k < n; k++)
+        to->start[w->index[t]]++;
+    for (size_t k = 1; k <= n; k++)
+        to->start[k] += to->start[k - 1];
+    for (size_t k = n; k-- > 0;)
         for (size_t t = w->start[k]; t < w->start[k + 1]; t++) {
-            size_t at = to->start[w->index[t]]++;
+            size_t at = --to->start[w->index[t]];
             to->index[at] = (int)k;
             to->value[at] = w->value[t];
         }
-    for (size_t k = n; k > 0; k--)
-        to->start[k] = to->start[k - 1];
-    to->start[0] = 0;
     memcpy(to->scale, w->scale, n * sizeof *to->scale);
     return FMB_OK;
 }
