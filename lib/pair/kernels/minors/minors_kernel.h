@@ -220,16 +220,23 @@ FMB_INLINE minors_part minors_part_of(minors_kind d, int side, int k)
                                     : MINORS_LAST;
 }
 
+/* The last level of one of each, seen from the simplex, and what of a level is wanted. */
+FMB_INLINE int minors_last_from_simplex(minors_kind d)
+{
+    return d.dim - 2 + d.moves;
+}
+FMB_INLINE minors_part minors_part_from_simplex(minors_kind d, int k)
+{
+    return k < minors_last_from_simplex(d) ? MINORS_KEPT : d.moves ? MINORS_DRIFTED : MINORS_LAST;
+}
+
 /* All rows but faces of one of each, seen from the simplex: minors_mixed.h. */
 FMB_INLINE void minors_levels_from_simplex(minors_kind d, minors_view *v, minors_said *said)
 {
-    const int last = d.dim - 2 + d.moves;
 #pragma GCC unroll 4
-    for (int k = 1; k <= last; k++) {
-        const minors_part part = k < last ? MINORS_KEPT : d.moves ? MINORS_DRIFTED : MINORS_LAST;
-        if (minors_level(d, v, k, part, said))
+    for (int k = 1; k <= minors_last_from_simplex(d); k++)
+        if (minors_level(d, v, k, minors_part_from_simplex(d, k), said))
             return;
-    }
 }
 
 /* All rows but faces. What both sides want is compiled once, where that is no loss: see
@@ -251,99 +258,6 @@ FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said
     }
 }
 
-/* ---- open rows ------------------------------------------------------------------------------- */
-
-/* A row that is open in some lanes goes to the list. It speaks of the coordinates `set` in the view
- * of a side, so it is perpendicular to its other edges, and to the columns of the other side. */
-FMB_INLINE void minors_note_row(minors_kind d, int side, unsigned set, unsigned columns, lane gap,
-                                lane error, fmb_open_rows *out)
-{
-    const unsigned lanes = out->wanted & ~lane_bits(lane_less(gap + error, lane_of(0)));
-    const unsigned all = (1U << d.dim) - 1, own = all & ~set, other = columns & all;
-    const unsigned edges = side == 0 ? own | other << d.dim : other | own << d.dim;
-    if (out->n == FMB_OPEN_ROWS_MOST)
-        out->full |= lanes;
-    else if (lanes)
-        out->row[out->n++] =
-            (fmb_open_row){edges | columns >> d.dim << 2 * d.dim, side == 1, (uint8_t)lanes};
-}
-
-/* sum (-1)^i factor[i] from[i][s], in a loop. */
-static lane minors_list_sum(int k, const lane *factor, const lane *const *from, int s)
-{
-    lane sum = lane_of(0);
-    for (int i = 0; i <= k; i++)
-        sum = lane_fma(lane_of(i % 2 ? -1 : 1) * factor[i], from[i][s], sum);
-    return sum;
-}
-
-/* What minors_make makes of all columns. */
-FMB_INLINE void minors_list_make(minors_kind d, const minors_view *v, int k,
-                                 const minors_rows *rows, lane *to)
-{
-    for (int j = k; j < d.n; j++) {
-        lane factor[5];
-        for (int i = 0; i <= k; i++)
-            factor[i] = v->e[rows->row[i] * d.n + j];
-        for (int s = 0; s < fmb_minors_choose(j, k); s++)
-            to[fmb_minors_choose(j, k + 1) + s] = minors_list_sum(k, factor, rows->less, s);
-    }
-}
-
-/* The gap of columns s: what minors_gap says. */
-FMB_INLINE lane minors_list_gap(minors_kind d, const minors_view *v, int k, const minors_rows *rows,
-                                const lane *made, int s)
-{
-    lane factor[5], reach = lane_of(0);
-    for (int i = 0; i <= k; i++) {
-        factor[i] = v->center[rows->row[i]];
-        reach = reach + lane_abs(rows->less[i][s]);
-    }
-    for (int j = 0; j < d.n - k; j++)
-        reach = reach + lane_abs(made[minors_with(k, s, j)]);
-    return lane_abs(minors_list_sum(k, factor, rows->less, s)) - reach;
-}
-
-/* Of k columns of a side. Few pairs get here: not in the kernels, and once for all dimensions. */
-static FMB_NEVER_CLONED void minors_list_level(int dim, bool moves, int side, minors_view *v, int k,
-                                               fmb_open_rows *out)
-{
-    const minors_kind d = minors_kind_of(dim, moves);
-    const minors_part part = minors_part_of(d, side, k);
-    const int kept = part == MINORS_KEPT ? minors_stride(d, k + 1) : 0;
-    const lane error = lane_of(minors_error(d, k) * 0x1p-53);
-    lane *made = v->to;
-    for (unsigned set = (2U << k) - 1; set < 1U << d.dim; set = minors_next_set(set)) {
-        minors_rows rows;
-        lane own[75], *to = kept ? made : own;
-        minors_find_rows(d, v, k, set, &rows);
-        minors_list_make(d, v, k, &rows, to);
-        unsigned columns = (1U << k) - 1;
-        for (int s = 0; columns < 1U << d.n; s++, columns = minors_next_set(columns))
-            if (part != MINORS_DRIFTED || columns >> d.dim)
-                minors_note_row(d, side, set, columns, minors_list_gap(d, v, k, &rows, to, s),
-                                error * rows.g, out);
-        made += kept;
-    }
-    v->from = v->to;
-    v->to = made;
-}
-
-/* All rows of two cuboids. */
-static FMB_NEVER_CLONED void minors_list_rows(int dim, bool moves, minors_view v[2],
-                                              fmb_open_rows *out)
-{
-    const minors_kind d = minors_kind_of(dim, moves);
-    const lane error = lane_of(minors_error(d, 0) * 0x1p-53);
-    for (int side = 0; side < 2; side++) {
-        for (int r = 0; r < d.dim; r++)
-            minors_note_row(d, side, 1U << r, 0, minors_face(d, &v[side], r), error * v[side].g[r],
-                            out);
-        for (int k = 1; k <= (d.n - 1 - side) / 2; k++)
-            minors_list_level(dim, moves, side, &v[side], k, out);
-    }
-}
-
 /* What is asked. */
 typedef enum minors_how {
     MINORS_AT_0, /* what rows say; of moving simplices as at t = 0 */
@@ -352,10 +266,12 @@ typedef enum minors_how {
     MINORS_POINT, /* is there a point in both? */
     MINORS_OPEN   /* which rows are open? */
 } minors_how;
+typedef void minors_lister(int dim, int what, minors_view v[2], fmb_open_rows *out);
 typedef struct minors_asked {
     minors_how how;
-    unsigned lanes;      /* those that matter, of a point */
-    fmb_open_rows *rows; /* what rows are open goes there */
+    unsigned lanes; /* those that matter, of a point */
+    minors_lister *list;
+    fmb_open_rows *rows; /* what rows are open goes there, by that */
 } minors_asked;
 
 /* One of two from a side, in a room of its own. What faces say. Of one of each the view from the
@@ -408,8 +324,11 @@ FMB_INLINE unsigned minors_ask(minors_kind d, const minors_asked *x, const lane 
         return minors_find_point(d, &v[0], x->lanes);
     if (!minors_is_over(d, x->how, &said))
         minors_see(minors_side(d, 1), x->how, b, a, (lane *)room + half, &v[1], &said);
-    if (!d.simplices && !d.from_simplex && x->how == MINORS_OPEN) {
-        minors_list_rows(d.dim, d.moves, v, x->rows);
+    if (x->how == MINORS_OPEN) {
+        const int shapes = d.simplices      ? FMB_MINORS_SIMPLICES
+                           : d.from_simplex ? FMB_MINORS_MIXED
+                                            : 0;
+        x->list(d.dim, shapes + d.moves, v, x->rows);
         return 0;
     }
     if (!minors_is_over(d, x->how, &said)) {

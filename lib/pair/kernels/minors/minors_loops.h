@@ -1,10 +1,14 @@
 /* minors_loops.h: pairs and rows of packed cuboids and simplices in four to eight dimensions; the
- * body of minors_*.c, which set FMB_LANES and name the table FMB_MINORS_TABLE. */
+ * body of minors_*.c, which set FMB_LANES and name the table FMB_MINORS_TABLE, and what lists open
+ * rows FMB_MINORS_LIST. */
 #ifndef FMB_PAIR_MINORS_LOOPS_H
 #define FMB_PAIR_MINORS_LOOPS_H
 
 #include "pair/kernels/lane/transpose.h"
 #include "pair/kernels/minors/minors_kernel.h"
+
+/* minors_open.h */
+minors_lister FMB_MINORS_LIST;
 
 /* Of a record, rounded up. */
 enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
@@ -55,62 +59,86 @@ FMB_INLINE unsigned minors_are_whole(const lane *a, const lane *b, int size)
     return lane_bits(lane_less(lane_of(0), lane_min(a[size + 2], b[size + 2])));
 }
 
-/* Of lanes that rows leave open these rows in whole numbers, where these are short. */
+/* Of lanes that rows leave open these rows in whole numbers, where these are short: first of each
+ * lane a single row, then, if that is asked, all. */
 static fmb_pair_bits minors_decide_rows(int dim, fmb_minors_what what, bool closed, const lane *a,
-                                        const lane *b, double *room, unsigned open)
+                                        const lane *b, double *room, unsigned open, bool all)
 {
     fmb_pair_bits bits = {0, 0};
     minors_said said = minors_silent();
     fmb_open_rows rows;
-    int words[FMB_LANES];
-    rows.dim = dim;
-    rows.width = FMB_LANES;
-    rows.moves = what % 2 == 1;
+    rows.of.dim = dim;
+    rows.of.width = FMB_LANES;
+    rows.of.moves = what % 2 == 1;
     rows.closed = closed;
-    rows.record[0] = (const double *)a;
-    rows.record[1] = (const double *)b;
+    rows.all = all;
+    const bool mixed = what >= FMB_MINORS_MIXED;
+    rows.of.simplex[0] = what >= FMB_MINORS_SIMPLICES;
+    rows.of.simplex[1] = rows.of.simplex[0] && !mixed;
+    rows.of.record[mixed] = (const double *)a;
+    rows.of.record[!mixed] = (const double *)b;
     rows.wanted = rows.full = 0;
     rows.n = 0;
     for (unsigned left = open; left; left &= left - 1) {
         const unsigned l = (unsigned)__builtin_ctz(left);
-        words[l] = fmb_open_rows_words(&rows, l);
-        rows.wanted |= (unsigned)(words[l] > 0) << l;
+        rows.wanted |= (unsigned)fmb_open_rows_are_short(&rows, l) << l;
     }
-    if (rows.wanted)
-        MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM](&(minors_asked){MINORS_OPEN, 0, &rows}, a,
-                                                        b, room, &said);
-    for (unsigned left = rows.wanted; left; left &= left - 1) {
+    const unsigned wanted = rows.wanted;
+    if (wanted)
+        MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM](
+            &(minors_asked){.how = MINORS_OPEN, .list = FMB_MINORS_LIST, .rows = &rows}, a, b, room,
+            &said);
+    for (unsigned left = wanted; left; left &= left - 1) {
         const unsigned l = (unsigned)__builtin_ctz(left);
-        const fmb_verdict is = fmb_open_rows_decide(&rows, l, words[l]);
+        const fmb_verdict is = fmb_open_rows_decide(&rows, l);
         bits.apart |= (unsigned)(is == FMB_INFEASIBLE) << l;
         bits.meet |= (unsigned)(is == FMB_FEASIBLE) << l;
     }
     return bits;
 }
 
-/* Lanes that rows leave open. Rows in whole numbers are asked of cuboids in four and five
- * dimensions: elsewhere they are so many that a vertex is found sooner. */
+/* What is known of lanes goes to what was. Those that are left. */
+FMB_INLINE unsigned minors_learn(fmb_pair_bits more, unsigned open, fmb_pair_bits *bits)
+{
+    bits->apart |= more.apart & open;
+    bits->meet |= more.meet & open;
+    return open & ~(more.apart | more.meet);
+}
+
+/* Is a row looked for in whole numbers? Tests of simplices are so many that a vertex of one pair is
+ * found sooner, but not those of half of the lanes. */
+FMB_INLINE bool minors_want_row(fmb_minors_what what, unsigned open, unsigned whole)
+{
+    return what == FMB_MINORS_SIMPLICES ? 2 * __builtin_popcount(open) >= FMB_LANES
+                                        : what / 2 != 1 && (open & ~whole) != 0;
+}
+
+/* Lanes that rows leave open: one row of each; all rows of what are whole numbers of few bits,
+ * which come first where all lanes are that; all other rows; a point. */
 static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(int dim, fmb_minors_what what, bool closed,
                                                          const lane *a, const lane *b, double *room,
                                                          unsigned open)
 {
     minors_asker *ask = MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM];
-    fmb_pair_bits bits = {0, 0}, more = {0, 0};
+    const bool rows = what / 2 != 1;
+    fmb_pair_bits bits = {0, 0};
     minors_said said = minors_silent();
-    if (closed && what / 2 != 1 && minors_are_whole(a, b, dim * (2 * dim + 3)) & open) {
-        ask(&(minors_asked){MINORS_WHOLE, 0, NULL}, a, b, room, &said);
+    const unsigned whole = closed && rows ? minors_are_whole(a, b, dim * (2 * dim + 3)) : 0;
+    if (minors_want_row(what, open, whole))
+        open = minors_learn(minors_decide_rows(dim, what, closed, a, b, room, open, false), open,
+                            &bits);
+    if (open & whole) {
+        ask(&(minors_asked){.how = MINORS_WHOLE}, a, b, room, &said);
         said.meet = said.meet - lane_of(1);
-        bits = minors_bits(&said);
-        bits.apart &= open;
-        bits.meet &= open;
-        open &= ~(bits.apart | bits.meet);
+        open = minors_learn(minors_bits(&said), open, &bits);
     }
-    if (open && what < FMB_MINORS_SIMPLICES && dim <= 5)
-        more = minors_decide_rows(dim, what, closed, a, b, room, open);
-    open &= ~(more.apart | more.meet);
+    if (open && rows)
+        open = minors_learn(minors_decide_rows(dim, what, closed, a, b, room, open, true), open,
+                            &bits);
     if (open)
-        more.meet |= open & ask(&(minors_asked){MINORS_POINT, open, NULL}, a, b, room, &said);
-    return (fmb_pair_bits){bits.apart | more.apart, bits.meet | more.meet};
+        bits.meet |=
+            open & ask(&(minors_asked){.how = MINORS_POINT, .lanes = open}, a, b, room, &said);
+    return bits;
 }
 
 /* The first n lanes are pairs, others repeat one of these. */
@@ -120,9 +148,9 @@ static fmb_pair_bits minors_answer(int dim, fmb_minors_what what, bool closed, c
     const unsigned asked = n < FMB_LANES ? (1U << n) - 1 : (1U << FMB_LANES) - 1;
     minors_asker *ask = MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM];
     minors_said said = minors_silent();
-    ask(&(minors_asked){MINORS_AT_0, 0, NULL}, a, b, room, &said);
+    ask(&(minors_asked){.how = MINORS_AT_0}, a, b, room, &said);
     if (what == FMB_MINORS_MOVING_SIMPLICES && !minors_all_apart(&said))
-        ask(&(minors_asked){MINORS_AT_1, 0, NULL}, a, b, room, &said);
+        ask(&(minors_asked){.how = MINORS_AT_1}, a, b, room, &said);
     fmb_pair_bits bits = minors_bits(&said);
     const unsigned open = asked & lane_bits(said.known) & ~(bits.apart | bits.meet);
     if (open) {

@@ -7,5 +7,8 @@
 #ifndef FMB_MINORS_TABLE
 #define FMB_MINORS_TABLE fmb_minors_narrow
 #endif
+#ifndef FMB_MINORS_LIST
+#define FMB_MINORS_LIST fmb_minors_list_narrow
+#endif
 
 #include "pair/kernels/minors/minors_loops.h"
