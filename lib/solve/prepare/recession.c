@@ -8,7 +8,9 @@
  * long to find out that there is nothing to find.
  *
  * The direction is a point strictly inside the rows with right sides 0
- * (lp/redundancy/active_set/interior_point.h): a glance in doubles, proved in integers. In small
+ * (lp/redundancy/active_set/interior_point.h): a glance in doubles, proved in integers. Of long
+ * numbers the leading bits are enough: let b be a / 2^k, rounded towards 0, then each entry of
+ * a / 2^k - b is less than 1, and b.z + |z_1| + ... <= 0 proves a.z < 0 where z is not 0. In small
  * systems it may be seen at once, in integers alone: first columns of one sign go, with all rows
  * that name them, one after another; then a perceptron (Rosenblatt 1958) looks for z, by going away
  * from rows that do not go down. If none is left, z is proved.
@@ -27,7 +29,11 @@ typedef struct cone {
     int *column;     /* [n] of e */
     fmb_vec *v;      /* [m] */
     fmb_lp_row *row; /* [m] */
+    bool rough;      /* some rows are leading bits */
 } cone;
+
+/* Entries of more bits are shortened to so many. */
+#define LEADING_BITS 28
 
 static const fmb_derived *live_row_of_cone(const cone *c, size_t i)
 {
@@ -55,17 +61,33 @@ static fmb_status list_columns_of_cone(cone *c, const bool *drop, fmb_arena *are
     return c->column ? FMB_OK : fmb_mem_status(arena->mem);
 }
 
-static void add_row_to_cone(cone *c, const fmb_vec *v, int64_t *value)
+/* a / 2^down, rounded towards 0. */
+static int64_t leading_bits(const fmb_vec *a, size_t j, size_t down, mpz_t scratch)
 {
+    if (!fmb_vec_is_wide(a))
+        return a->s[j] / ((int64_t)1 << down);
+    mpz_tdiv_q_2exp(scratch, a->z[j], down);
+    return mpz_get_si(scratch);
+}
+
+static void add_row_to_cone(cone *c, const fmb_vec *a, int64_t *value, mpz_t scratch)
+{
+    size_t bits = 0;
+    for (size_t j = 0; j < c->n; j++) {
+        size_t mine = fmb_vec_entry_bits(a, (size_t)c->column[j]);
+        bits = mine > bits ? mine : bits;
+    }
+    size_t down = bits > LEADING_BITS ? bits - LEADING_BITS : 0;
     for (size_t j = 0; j < c->n; j++)
-        value[j] = v->s[c->column[j]];
+        value[j] = leading_bits(a, (size_t)c->column[j], down, scratch);
     value[c->n] = 0;
-    c->v[c->m] = (fmb_vec){.s = value, .bits = v->bits};
+    c->v[c->m] = (fmb_vec){.s = value, .bits = (int)(bits - down)};
     c->row[c->m] = (fmb_lp_row){&c->v[c->m], FMB_LE};
+    c->rough |= down > 0;
     c->m++;
 }
 
-/* *possible false: there are equalities, or long numbers. */
+/* *possible false: there are equalities. */
 static fmb_status list_rows_of_cone(cone *c, fmb_arena *arena, bool *possible)
 {
     size_t rows = c->e->live.size, size = c->n + 1;
@@ -78,9 +100,9 @@ static fmb_status list_rows_of_cone(cone *c, fmb_arena *arena, bool *possible)
         const fmb_derived *r = live_row_of_cone(c, i);
         if (!names_column_of_cone(c, r))
             continue;
-        *possible = !r->equality && !fmb_vec_is_wide(&r->v);
+        *possible = !r->equality;
         if (*possible)
-            add_row_to_cone(c, &r->v, &value[c->m * size]);
+            add_row_to_cone(c, &r->v, &value[c->m * size], c->e->num.t);
     }
     return FMB_OK;
 }
@@ -92,6 +114,8 @@ static fmb_status look_for_direction(const cone *c, bool *found)
     fmb_status st = fmb_interior_point_open(&p, c->e->run, c->n, c->m, c->row, &possible);
     if (st == FMB_OK && possible)
         st = fmb_interior_point_find_quickly(&p, found);
+    for (size_t i = 0; *found && c->rough && i < c->m; i++)
+        *found = fmb_interior_point_sees_near_rows(&p, i);
     fmb_interior_point_clear(&p);
     return st;
 }

@@ -157,6 +157,16 @@ fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found)
     return FMB_OK;
 }
 
+/* The slack of row a + d is the one of a, less UNIT d.x, where |d.x| < |x_1| + ... unless x is 0.
+ * The coordinates are multiples of 1 / UNIT: there is no rounding. */
+bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, size_t i)
+{
+    double size = 0;
+    for (size_t j = 0; j < p->n; j++)
+        size += fabs(p->x[j]);
+    return (double)p->slack[i] >= UNIT * size;
+}
+
 void fmb_interior_point_clear(fmb_interior_point *p)
 {
     (void)hold_arrays_of_point(p, false);

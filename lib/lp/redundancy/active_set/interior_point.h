@@ -24,6 +24,9 @@ fmb_status fmb_interior_point_open(fmb_interior_point *p, fmb_run *run, size_t n
  * none was found. A glance costs little. Errors: LIMIT. */
 fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found);
 fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found);
+/* Is the point found strictly inside every row whose coefficients differ by less than 1 each from
+ * those of row i, and whose right side is that of row i? False: that is not certain. */
+bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, size_t i);
 void fmb_interior_point_clear(fmb_interior_point *p);
 /* The row among those not gone that a ray from the point in direction way[n] (roughly) meets before
  * any other: it is irredundant. SIZE_MAX: it meets several at once, or none. speed[m]: scratch.
