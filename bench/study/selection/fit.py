@@ -7,13 +7,13 @@ BENCH is bench-selection, whose lines are data (or those of the FILEs; the first
 none is there). Needs NumPy. Regret is the logarithm of the time over that of the best method that
 does one thing; a pipeline that was not waited for took half as long again as it was waited for.
 
-What is fitted: weights of the logarithms of features, for each pipeline; the one with the least sum
-is taken. They begin as the least squares of regrets (ridge regression), and go down the gradient of
-the regret that is expected where pipelines are drawn with probabilities that fall with their sums,
-for a fixed number of steps. Families weigh the same, however many of their problems there are. The
-report compares that with what the library does, on families that a fit has not seen and on families
-that it has under other seeds; --write puts the weights of all data into
-lib/solve/portfolio/selection.c of SOURCE.
+What is fitted: a sum of trees of questions about features, for each pipeline; the one with the least
+sum is taken. A tree asks the same questions in the same order of every problem, so that the answers
+are the number of a leaf (Kohavi 1994). One after another is grown to what the sum so far leaves of
+the regrets (gradient boosting of squares, Friedman 2001), on seven of ten problems at random.
+Families weigh the same, however many of their problems there are. The report compares that with what
+the library does, on families that a fit has not seen and on families that it has under other seeds;
+--write puts the trees of all data into lib/solve/portfolio/selection.c of SOURCE.
 """
 import argparse
 import json
@@ -29,12 +29,16 @@ SINGLES = ("elimination", "double description", "support queries")
 LEAST = 1e-5  # [s] less is not told apart
 GROUPS = 11  # of families, one held out at a time
 SEEDS = 4  # one of so many held out at a time
-RIDGE = 1.0  # standard deviations count as so many problems with regret 0
-STEPS, RATE, SHARPNESS = 300, 0.02, 3.0  # of the descent
+TREES, QUESTIONS, RATE = 24, 6, 0.3
+CALM = 24.0  # so many problems with regret 0 are added to each leaf
+MOST = 2.3  # regrets above are taken for that
+SHARE = 0.7  # of problems that a tree is grown to
+QUANTILES = 31  # thresholds are between so many
+MARKS, PARTS = 256, 32  # of one: features and regrets are whole numbers in selection.c
+NEUTRAL, REACH = "m", 16  # what a leaf says, as a letter, so many before and after that one
 # Recorded projections are of few families: what their files' names begin with.
 RECORDED = {"rd": "random", "rs": "random", "shannon": "entropy", "col": "practice", "dep": "practice",
             "farkas": "practice", "tile": "practice"}
-SCALE = 1000  # weights are whole numbers, in parts of one
 
 
 def rough_logarithm(x):
@@ -74,49 +78,90 @@ class Data:
                                    for p, b in zip(problems, best)])
         self.auto = numpy.array([math.log(seconds(p["took"]["auto"]) / b)
                                  for p, b in zip(problems, best)])
-        self.x = numpy.array([[1.0] + [rough_logarithm(p["features"][n]) for n in names]
-                              for p in problems])
+        self.mark = numpy.array([[int(MARKS * rough_logarithm(p["features"][n])) for n in names]
+                                 for p in problems])
         self.family = numpy.array([p["family"] for p in problems])
         self.seed = numpy.array([p["seed"] for p in problems])
 
 
-def fit(x, regret, family):
-    """Weights [1 + features][pipelines]."""
+def weigh(family):
+    """Problems, so that families weigh the same."""
     _, place, count = numpy.unique(family, return_inverse=True, return_counts=True)
-    w = 1 / count[place]
-    mean, spread = x.mean(0), x.std(0) + 1e-9
-    mean[0], spread[0] = 0, 1
-    z = (x - mean) / spread
-    ridge = RIDGE * numpy.eye(len(mean))
-    ridge[0, 0] = 1e-6
-    b = SHARPNESS * numpy.linalg.solve(z.T @ (z * w[:, None]) + ridge, z.T @ (regret * w[:, None]))
-    w /= w.sum()
-    first, second = numpy.zeros_like(b), numpy.zeros_like(b)  # moments (Kingma, Ba 2015)
-    for t in range(1, STEPS + 1):
-        s = z @ b
-        p = numpy.exp(s.min(1, keepdims=True) - s)
-        p /= p.sum(1, keepdims=True)
-        expected = (p * regret).sum(1, keepdims=True)
-        gradient = z.T @ (w[:, None] * p * (expected - regret))
-        first = 0.9 * first + 0.1 * gradient
-        second = 0.99 * second + 0.01 * gradient * gradient
-        b -= RATE * first / (1 - 0.9**t) / (numpy.sqrt(second / (1 - 0.99**t)) + 1e-8)
-    b /= spread[:, None]
-    b[0] -= mean[1:] @ b[1:]
-    return numpy.rint(SCALE * b / SHARPNESS)
+    return len(family) / len(count) / count[place]
 
 
-def regrets(data, weights, rows):
-    return data.regret[rows, (data.x[rows] @ weights).argmin(1)]
+def find_leaves(questions, mark):
+    leaf = numpy.zeros(len(mark), int)
+    for feature, above in questions:
+        leaf = 2 * leaf + (mark[:, feature] > above)
+    return leaf
+
+
+def sums_by_leaf(leaf, leaves, of):
+    out = numpy.zeros((leaves, of.shape[1]))
+    numpy.add.at(out, leaf, of)
+    return out
+
+
+def choose_question(mark, leaf, leaves, weighed, thresholds, asked):
+    """By sums over leaves and bins: those of the bins up to a threshold say no."""
+    best, most = None, -1
+    for feature, above in enumerate(thresholds):
+        bins = len(above) + 1
+        at = leaf * bins + numpy.searchsorted(above, mark[:, feature])
+        s = numpy.stack([numpy.bincount(at, column, leaves * bins) for column in weighed.T], 1)
+        no = s.reshape(leaves, bins, -1).cumsum(1)
+        yes = no[:, -1:] - no
+        explained = sum(((t[:, :, :-1] ** 2).sum(2) / (t[:, :, -1] + CALM)).sum(0)
+                        for t in (no[:, :-1], yes[:, :-1]))
+        for k in numpy.flatnonzero(explained > most):
+            if explained[k] > most and (feature, above[k]) not in asked:
+                best, most = (feature, above[k]), explained[k]
+    return best
+
+
+def grow(mark, left, weight, thresholds):
+    """A tree: questions, and what its leaves add [leaves][pipelines], in PARTS."""
+    questions, weighed = [], numpy.c_[left * weight[:, None], weight]
+    for _ in range(QUESTIONS):
+        leaf = find_leaves(questions, mark)
+        questions.append(choose_question(mark, leaf, 2 ** len(questions), weighed, thresholds, questions))
+    s = sums_by_leaf(find_leaves(questions, mark), 2**QUESTIONS, weighed)
+    value = RATE * s[:, :-1] / (s[:, -1:] + CALM)
+    return questions, numpy.clip(numpy.rint(PARTS * value), -REACH, REACH).astype(int)
+
+
+def fit(mark, regret, family):
+    """What pipelines begin with, in PARTS, and trees."""
+    draw, weight, regret = numpy.random.default_rng(1), weigh(family), numpy.minimum(regret, MOST)
+    at = numpy.linspace(0, 1, QUANTILES + 1)[1:-1]
+    thresholds = [numpy.unique(numpy.quantile(column, at).astype(int)) for column in mark.T]
+    start = numpy.rint(PARTS * numpy.average(regret, 0, weight)).astype(int)
+    told, trees = numpy.tile(start, (len(mark), 1)), []
+    for _ in range(TREES):
+        some = draw.random(len(mark)) < SHARE
+        left = regret - told / PARTS
+        trees.append(grow(mark[some], left[some], weight[some], thresholds))
+        told = told + trees[-1][1][find_leaves(trees[-1][0], mark)]
+    return start, trees
+
+
+def scores(fitted, mark):
+    start, trees = fitted
+    return start + sum(value[find_leaves(questions, mark)] for questions, value in trees)
+
+
+def regrets(data, fitted, rows):
+    return data.regret[rows, scores(fitted, data.mark[rows]).argmin(1)]
 
 
 def held_out(data, group):
     """Regrets by fits to all other groups."""
     out = numpy.zeros(len(group))
     for g in numpy.unique(group):
-        weights = fit(data.x[group != g], data.regret[group != g], data.family[group != g])
+        fitted = fit(data.mark[group != g], data.regret[group != g], data.family[group != g])
         rows = numpy.flatnonzero(group == g)
-        out[rows] = regrets(data, weights, rows)
+        out[rows] = regrets(data, fitted, rows)
     return out
 
 
@@ -139,21 +184,22 @@ def names_of(path, macro):
         return re.findall(macro + r'\(\w+,\s*"([^"]+)"', text.read())
 
 
-def rows_of(weights):
-    """Of each pipeline, in lines of at most 100 characters."""
-    out = []
-    for row in weights.T.astype(int).tolist():
-        text = ", ".join(map(str, row))
-        cut = text.rfind(" ", 0, 92) if len(text) > 92 else len(text)
-        out.append("    {" + text[:cut] + ("\n     " + text[cut + 1:] if cut < len(text) else "") + "},")
-    return out
+def text_of(tree):
+    """The questions, and a letter for each leaf and pipeline, in lines of at most 100 characters."""
+    questions, value = tree
+    text = "".join(chr(ord(NEUTRAL) + v) for v in value.flat)
+    lines = [f'     "{text[k:k + 93]}"' for k in range(0, len(text), 93)]
+    asked = ", ".join(f"{{{feature}, {above}}}" for feature, above in questions)
+    return "    {{" + asked + "},\n" + "\n".join(lines) + "},"
 
 
-def write(path, head, weights):
+def write(path, head, fitted):
     with open(path, encoding="utf-8") as text:
         code = text.read()
-    table = "\n".join([BEGIN, head, "static const short WEIGHT[PIPELINE_COUNT][1 + FMB_FEATURE_COUNT] = {",
-                       *rows_of(weights), "};", END])
+    start, trees = fitted
+    table = "\n".join([BEGIN, head, "static const int START[PIPELINE_COUNT] = {"
+                       + ", ".join(map(str, start)) + "};", "static const tree TREE[] = {",
+                       *map(text_of, trees), "};", END])
     code = code[:code.index(BEGIN)] + table + code[code.index(END) + len(END):]
     with open(path, "w", encoding="utf-8") as text:
         text.write(code)
@@ -194,7 +240,7 @@ def main():
     if a.write:
         write(path, f"/* {what}\n * Time over that of the best method alone: "
               f"{math.exp(seen.mean()):.3f} on families seen, {math.exp(unseen.mean()):.3f} on others. */",
-              fit(data.x, data.regret, data.family))
+              fit(data.mark, data.regret, data.family))
 
 
 main()

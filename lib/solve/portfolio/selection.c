@@ -2,6 +2,7 @@
 #include "solve/portfolio/selection.h"
 
 #include <math.h>
+#include <string.h>
 
 #ifdef FMB_ABLATE
 int fmb_selection_forced = -1;
@@ -13,12 +14,8 @@ int fmb_selection_forced = -1;
  * of pruned elimination, and of queries, in this order. */
 #define PIPELINES(P)                                                                               \
     P(QUERIES, "queries", 0, 0, 0, 64)                                                             \
-    P(RAYS, "rays", 0, 1, 0, 64)                                                                   \
     P(MORE_RAYS, "more rays", 0, 8, 0, 64)                                                         \
-    P(PRUNED, "pruned elimination", 0, 0, 1, 64)                                                   \
     P(MORE_PRUNED, "more pruned elimination", 0, 0, 8, 64)                                         \
-    P(BOUNDED, "bounded elimination", 2, 0, 0, 64)                                                 \
-    P(BOUNDED_RAYS, "bounded elimination, rays", 2, 1, 0, 64)                                      \
     P(BOUNDED_MORE_RAYS, "bounded elimination, more rays", 2, 8, 0, 64)                            \
     P(BOUNDED_PRUNED, "bounded and pruned elimination", 2, 0, 1, 64)                               \
     P(BOUNDED_MORE_PRUNED, "bounded and more pruned elimination", 2, 0, 8, 64)
@@ -26,6 +23,7 @@ int fmb_selection_forced = -1;
 #define PIPELINE_IDENTIFIER(id, ...) PIPELINE_##id,
 enum { PIPELINES(PIPELINE_IDENTIFIER) PIPELINE_COUNT };
 #undef PIPELINE_IDENTIFIER
+_Static_assert(PIPELINE_COUNT <= FMB_MOST_PIPELINES, "scores have room");
 
 static const struct named_pipeline {
     const char *name;
@@ -77,29 +75,171 @@ static fmb_pipeline pipeline_of_name(const fmb_features *f, const struct named_p
 
 /* ---- the table ------------------------------------------------------------------------------- */
 
+/* Marks are rough logarithms of features, in so many parts of one. */
+#define MARKS 256
+
+/* A tree asks whether marks are above thresholds. Its answers, the first one as the highest bit,
+ * are the number of a leaf: a letter for each pipeline, NEUTRAL and more if it speaks against it.
+ */
+enum { QUESTIONS = 6, LEAVES = 1 << QUESTIONS, NEUTRAL = 'm' };
+typedef struct tree {
+    struct {
+        unsigned char feature;
+        short above;
+    } question[QUESTIONS];
+    char leaf[LEAVES * PIPELINE_COUNT + 1];
+} tree;
+
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 1998 problems of 48 families, seeds 1 to 62103, ways as of commit 768b760f.
- * Time over that of the best method alone: 1.126 on families seen, 1.249 on others. */
-static const short WEIGHT[PIPELINE_COUNT][1 + FMB_FEATURE_COUNT] = {
-    {2754, 3657, 642, -1341, -463, -527, -1757, 1064, -1569, -418, 3855, -53, -436, -18, 568,
-     16593},
-    {13327, -1005, -655, 133, -170, -347, -1280, -2219, 3077, -4629, -2725, -384, 380, -2014,
-     -1321, -4234},
-    {6079, -3368, -603, 1354, 632, 1011, -984, -1589, 4922, -2384, -309, -580, 285, -2316,
-     -1376, 9081},
-    {-2548, 1619, 1370, -1547, -548, 1729, -1885, 2034, -3544, -1998, -607, 408, 461, -103,
-     -1301, -4696},
-    {4748, -1855, 883, -631, -690, -788, 1078, 1426, -3370, 2886, 4047, 742, -383, -1415, -623,
-     -7833},
-    {7458, 277, 770, -962, -755, -543, -355, -1895, -2568, 363, -2357, 410, -211, -1604, -791,
-     5013},
-    {1472, 2154, -244, -5, -994, -912, 690, -2051, -10134, -1891, 753, 200, 372, 1730, 227, -8266},
-    {-7590, -402, -1297, 2024, 779, 327, -59, -3720, 5930, -56, -2092, -150, 595, 2070, 1102,
-     10412},
-    {-1257, 85, -17, -134, 305, -524, 56, 300, -2272, 1404, 827, 275, 14, 615, 431, -2741},
-    {-3700, -2859, 736, 388, 217, -1225, 1254, 2519, -4549, 2623, 1685, 748, -228, 1480, 662,
-     -8583},
+/* 5853 problems of 48 families, seeds 1 to 110051, ways as of commit b4a70387.
+ * Time over that of the best method alone: 1.075 on families seen, 1.222 on others. */
+static const int START[PIPELINE_COUNT] = {23, 23, 30, 18, 25, 28};
+static const tree TREE[] = {
+    {{{10, 1184}, {4, 320}, {11, 1432}, {7, 17}, {2, 832}, {0, 512}},
+     "riijkjpjkkkknlllmlmkklkkmmmmmmrhmmmlmmmmmmmmmmmmolklkkriljmlmmmmmmllkmkkmmmmmmonlmllmmmmmmmmm"
+     "mmmphlimloljmlkktjslknmlmnmpjhhgfumhjhgltimihrlnmqnimknlkmjjklkivnsmmmomommjriskjrsgpihkvmtmm"
+     "nskqlkllmlmmoninjjljlkllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmllnlmmnm]aabaafghghhmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmhwiuwpkllmmoiqkrrqiskssjmjmjjrokkkjmplkkkntouoohksmrsohoipogqrrosmkplophspupqookokk"
+     "jvnsnnnqjokj"},
+    {{{10, 1288}, {4, 320}, {11, 1376}, {7, 17}, {3, 1056}, {0, 384}},
+     "pjjkkkqjjkkjmmmmmmmmmmmmmmmmmmpimmnmmmmmmmmmmmmmnllmmlrijjkjmmmmmmjkkkjkmmmmmmoollllmmmmmmmmm"
+     "mmmnimjnmrjjklkjqmqmnmnjolkoiijiisjiiihlnjjihpnjlkijnnnoomjikkijsruprjrkpkkjpjpkjoohoihjupuqp"
+     "mtkrllklllllnkllmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkjnknnliijjjbfeffeddeeeemmmmmmmmmmmmmmm"
+     "mmmmmmmmmliqjqrpirjrrjktmrtqhrissllkllkmkllmmlnknllnqmqlmjmqnqrmipjppgqrqqrkjqkoqmnnnnnllmlmm"
+     "ktrsrrkrlqkl"},
+    {{{5, 499}, {11, 1200}, {4, 384}, {10, 1604}, {2, 800}, {11, 1883}},
+     "qjkkkkmmmmmmpknkoommmmmmmmmmmmmmmmmmmmmmmmmmmmmmnkjjiimmmmmmpsirmimmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmqnkmkkopinjinqkkjjmokolkmmmmmmmmmmmmmmmmmmmmmmmmmmjmkjmqkqlllvkmjilsmtonmmmmmmmmmmmmmmmmmm"
+     "mmmnnnojmknnmmmmmmqhmkonmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoiojoommmmmmnllnnlmmmmmmokqlrqmmmmmmqkp"
+     "lppmmmmmmqjkklkmlnlnnmilklmkkklkkmmmmmmmmmmmm^edfdemnnonnnjokopklomoohprqkrkoppnqklrmpsknpopq"
+     "qkrlrsmjpjpp"},
+    {{{7, 28}, {10, 832}, {6, 56}, {0, 384}, {11, 1883}, {5, 823}},
+     "mnllllmmmmmmmnlnllmmmmmmlnljkkmmmmmmmpkplkmmmmmmoljkjjmmmmmmlnknlkmmmmmmqjmknmmmmmmmmmlmllmmm"
+     "mmmkrmqmmmmmmmmkppqppmmmmmmjqmrlmmmmmmmlolqmlmmmmmmllpmoqfijjijjoqpqqjkmklmojokoogikjjkmjnjnn"
+     "nkmkmmmmmmmmmmmmmmnmmmmmmmmmmmopkollmmmmmmooknlkmmmmmmmkkkkjmmmmmmllkllkmmmmmmpllkkjmmmmmmnnj"
+     "kjimmmmmmmrkjjjmmmmmmlqnroommmmmmnrjljimmmmmmmqksmkmmmmmmlmklkjmmmmmmksotppmmmmmmnojnkkmmmmmm"
+     "mqkqlkmmmmmm"},
+    {{{10, 1368}, {5, 823}, {3, 1056}, {11, 1883}, {8, 68}, {7, 13}},
+     "okllmkokklkkoklkllnlkklkmllmmlnpkolkjlnmoommklkklmmmmmqmlnolknmnlmmpkljjmlmlmmnnkmkkkonomnlqn"
+     "rnnnnmmmmmmmmmmmmmmmmmmmmmmjifhffmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmnkpkppllmlmmmmmmmmmmmmmmklolnollmlnnmmmmmmmmmmmmklqmoqlnlnllpkpkqpjpqolqklmmlmlmnnnnmlq"
+     "lqqlqprppmkpkppmmmmmmmmmmmmmmmmmmlkmlmnmmmmmmmmmmmmmmmmmmchghfgmmmmmmmmmmmmmmmmmmnnonoommmmmm"
+     "mmmmmmmmmmmm"},
+    {{{7, 44}, {5, 384}, {9, 0}, {10, 1288}, {3, 1248}, {0, 576}},
+     "mnlomlmmmmmmlpnpoommmmmmmmmmmmmmmmmmlplomkmmmmmmlnkmkkrqjmjjkqmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmnljlkkqolpmlmmlmklmmmmmmlknlnooqiqkijonolnmmmmmmmmpmpppiqksqjrmrlmkllmklnkqkqrmmmmmmnkokpo"
+     "nlpmopmkllllnmmmmmmoklkkmmmmmmmmmmmmmmmmmmnokmkkmmmmmmmlkkkknmlmlllmlklknoklllmmmmmmmmmmmmmnm"
+     "nmmmmmmmmmpkplkrpkplkmmmmmmmmmmmmnmmlnmmmmmmmllllllmmmmmmnmmmmmolklkkmlmmmmpqkqlkmmmmmmpolnlk"
+     "mmmmmmqpiqnj"},
+    {{{10, 1040}, {4, 320}, {6, 81}, {0, 512}, {11, 1644}, {5, 525}},
+     "mmmmmmmmmmmmmmmmmmmmmmmmmlopookllmllnnmmmmmmmmmmmlllklokklkkmmmmmmnmlmllolkljjolmlmmnmmmmmnmm"
+     "mmmmpkkjjmmmmmmlomnmmmmmmmmoolmllmjnknonnklkkmmmmmmmkllllomkmkkknlnmlmmjnjjpllkllnlmlmmpnmnll"
+     "nkplpommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknknnmmmmmmfgghhgmmmmmmpokolkmmm"
+     "mmmlkmkmmlpkmkklmlmlmkqoroolnlokmnqjrmkokplppnnkolklmknjkmknknnlmomookoqoqqlmnmnnmolollpmllml"
+     "mlmllmoknknn"},
+    {{{5, 823}, {10, 1604}, {6, 243}, {5, 640}, {7, 17}, {9, 128}},
+     "mmmmmmmllmllnnlmllmmnooomlolnnlmnmonlniojilnnnnnmljljjmmmmmmmmnmonmmmmmmnmmmmnllnlonmmmmmmmmm"
+     "mmmnkpkpppjqjrqkmonnommmmmmmjmjlmnlmlmmmojokjmmmmmmlonoonnlmlnmmmmmmmmmmmmmkqoqmonlnlnnmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoolnmlmlmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnlmnmlmlmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmggfgffmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmminmolmmmmmmm"
+     "mmmmmmmmmmmm"},
+    {{{5, 823}, {1, 1104}, {0, 576}, {3, 1104}, {1, 960}, {9, 85}},
+     "mlmmmmmlmlmmpjokoonnmklllnnnmnnmpmqplololllnoooopqjrkkpnlkkkqolnmlmmmmnnppklkkpplpmlommnnmoll"
+     "molmmmmmmmmmmmmnlmlmmmmmmmmmmmmmmmmmmmmmommllnjlkmlmmmmmmmmmmmmmmmmmmnlmmmmmmmmmmmmmmmmmmmmmm"
+     "mlolnohgfgffmlnlonopopoommmmmmnqoqmommmmmmlononnmmmmmmnnmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmeeeefemmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmm"},
+    {{{5, 823}, {10, 1604}, {3, 960}, {11, 1883}, {0, 384}, {9, 14}},
+     "nlnlonmkllmlonjmljnkmlmmlmkmlkkmmmmmomkmlkllmkmmlnnnmnknlmkkmmllllnmmmmmloopookppqppmllmlllnn"
+     "nmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnnnnnoknkonmkoknorkolpolpnponmknkonmlllkl"
+     "mlmlmmmmmmmmmmmmmmnmlmmlmmmmmmllllllmmmmmmkjijihmmmmmmmmpmpplllllllkkkkknmomoonnonoolmmmmmmmm"
+     "mlmnnonoommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmifegfemmmmmmhjijiimmmmmmmmmmmmmmmmmm"
+     "nmnmnnmmmmmm"},
+    {{{0, 384}, {11, 1344}, {3, 896}, {7, 37}, {9, 75}, {13, 0}},
+     "mmmmlmnmllllnmmmmmnmlmllmmmmmmmmmmmmmlnnnnmmmmmmknknkkmlnkonlloloolmknmlllmlllmlllmlmmmlllmmm"
+     "mmmmmmmmllmjmjjmmmmmmmmmmmnmlmlmmlmllllmlllmlmmnmmmmpopoolpopnolnonoolmompokllmmmlpnpoolomonm"
+     "lnmmmlmmnmoonllmllmmllllmmmmmmllomppnlmmmmmllmllmlnnnmllnmnnmlmmmmpkoloomlmmnmlknkmnmmlmllook"
+     "kjjnmknlkmmmmmmnmimjjomlmmmnmlmmlmlmlmmpnmmmmmlmkmmmmmlmmklpmnpmllmllmlnlnnmmonoomklllkooknkk"
+     "mololljmomoo"},
+    {{{4, 320}, {2, 1088}, {0, 640}, {9, 222}, {6, 237}, {10, 1464}},
+     "omlmmlkkkkkkkkhkiimpppppnlijjjmmmmmmmlmlmmmmmmmmnmmnmmmmmmmmnomommmmmmmmlmnnnnmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmpppppmmmmmmhgggggmmmmmmmmmmmmmmmmmmmmmmmmklkllkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmlnmnnnmmmnmmmmmmmlolommmmlllmjlmlmmnnonoorrkplkmmkmlkmmmmmmmmmmmmokqkrpmmmmmmmmm"
+     "mmmmmmmmmlonmnnmmllmlmmmmmmmpnpnnmmmmmmmmmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmipppkpmmmmmm"
+     "mmmmmmmmmmmm"},
+    {{{3, 1344}, {5, 334}, {11, 2304}, {1, 1150}, {11, 1814}, {8, 90}},
+     "lkmmlmmmmllllimimmmmkmllmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmnlmlmmmnmmmmmmmmmmlnnnnnknmnmmnkllmligggggmmkmklmmmmmmmmmmmmmlkllkmllmklmmmmmmmmmmmmnmnnnn"
+     "nmlmllmmmmmmnnlikkmmmmmmmnmnmmmmmmmmmolgjimmmmmmmookmmmmmmmmmmmmmmmmmmmmnnkollmmmmmmmmmmmmmmm"
+     "mmmmllommlqlqnmkoopoomolomlmmmmmmjnmnjllmomnoorqrpqlnqpormmmmmmmmmmmmklnllnnlmmnnmmmmmmmmmmmm"
+     "mmmmmmmkllml"},
+    {{{6, 67}, {1, 1150}, {11, 1344}, {0, 576}, {5, 346}, {11, 2223}},
+     "mmmlmlmmmmmmlqkokkmmmmmmnplpmmmmmmmmnnjnkkmmmmmmmnllllnmkolllompnmmnmnmmonmmmmmmmmmmnmnnnoolk"
+     "lnkmmmmmmmmmmmmnlllmlmmmmmmmmmmmmmmmmmmmkokoommmmmmmonillmllnnmlnponpnlllmlmmmmmmmmmmmmlllmll"
+     "lnlnlllllmllmmmmmmmlmmnmmmmmmmmmmmmmmmmmmmmmnlmmmmmmmmljljllmmmmmmlmmmnnmlmllmmmmmmmmmmmmmopk"
+     "qlknmmmlmmmmmmmmmmmmmnlllmlmmmmmmmmmmmmmmmmmmommmmmmmmmmmmmmmmmmmmmmmijijiiommmmmmmmmmmmmmmmm"
+     "mmlmllmmlmll"},
+    {{{0, 384}, {10, 1040}, {4, 288}, {7, 0}, {2, 864}, {3, 1288}},
+     "nmlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjmjjmmmmmmnnlmllnnllllmmmmllmnmlmmmmmnmmmmm"
+     "mmmmmmmmmmmmmmmnnonpolkkklkmmmmmmmmmmmmmmmmmmmmmmmmllnlmnmpnponnrqroqmlmlmmlomonmmonnnnmnmnnm"
+     "nmnmnnnmlmllmmmmmmllllllmmmmmmlmomoommmmmmmmmmmmmmmmmmmmjmkjmmmmmmmmmmmmmmmmmmnmmmmmmmmklmmmn"
+     "nnnlnlmlloonommmmmmmmgfffggmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnlmnllklkkmlmmmmnmmmmmlmlmllkmmnmm"
+     "lkkmkkmnlmll"},
+    {{{2, 768}, {10, 1764}, {5, 678}, {4, 288}, {0, 384}, {4, 599}},
+     "mmmmmmmmmmmmmmnlnnmmmmmmmmmmmmmlnmonmmlmmlljnkmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmnmnnmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnnnmnmnlnlnnllmllmmmmmmmmmmmmmmmmmmmmmmmmmihfigfmmnmonnlnlnn"
+     "nmmmlmnmmmmmmmmmmmnlmmmmmmmmmmmnnomnmmmlllmmmmmmnolmlloononnmmmmmmlkijiimmmmmmkmkmjkmmmmmmmnm"
+     "nmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmlnmmnmnmmllllmlmmmmmmlklkllmmmmmmotqtqqmnmnkm"
+     "lpnpmnmmmmmm"},
+    {{{10, 704}, {9, 0}, {6, 86}, {0, 576}, {12, 0}, {7, 28}},
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnnmlmmmmmmmmnmmlmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmlllmmmmmmnnmkllmmmmmmllnpnnmmmmmmmmmlmmnmlmllmmmmllmmmmmmmkljklmmmmmmnmkljkmmmmmm"
+     "mmmmmmlnmommmmlkllmmlmmlnnlomlmmmmmmnnnponmmmmnmnmmnlmmmmmmmllllllnmlmllmomommnqjqkjnmmnmmmmm"
+     "mmmnmmmmmmnmmmmmnmlllmlmmmmlmnooolnnnlnnmmmnmonlmllnmmmllokokoomlnmnnllnlonlmmnlmmmmnmmnomllm"
+     "mmmmmmlnnnmn"},
+    {{{10, 832}, {0, 640}, {11, 1024}, {9, 105}, {4, 435}, {5, 537}},
+     "llomppmmmmmmmmmmllmmmmmmnmklkkmmmmmmllnonnmmmmmmomlmmlmmmmmlmmllllmmmmmmnollklnllmmmmlnmmnmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmlmnnoommmmmmmmmmmmmmmmmmonlnllmmmmmmmmmmmmmmmmmmnnlmlllmlmllmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmnnnlkmlkmmmnmmmmmmmmmlllllmlmlmmnkllllmmmmmmmnmnmmmmmmmmlolpmmlmnmnnkmp"
+     "oopoknkommmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmljmjkmmmmmmmmmmmmnmmnnmnolomloomlmmonlnllmmlmlmnmlmll"
+     "onloolmmmmmm"},
+    {{{5, 334}, {3, 1584}, {11, 1970}, {9, 59}, {2, 704}, {3, 1120}},
+     "mkmklllknllmmmmmmmmnmilkmlmmmmmmmmmmmmmnmmmmmmmmmmmmmmlkmkmmmmmmmmmmlmmmnnmmmmmmmmmmnmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmomjllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllnmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmlnmnnmkmkmmmmlmlllonomnmmlmlmmlmlmmnmnlmmmmlmmmmmlnllmmmmnmmmnmmnmmkmllmpoooollmlmmmmm"
+     "mmlmmnmnnmmmmmmlomommmmmmmmlmonopmmmmmmmmmmmmmmmmmmjqnpkmmmmmmmmnlnmlmmmmmmmlnlnnmmmmmmmmmmmm"
+     "mmmmmmmmmmmm"},
+    {{{0, 704}, {8, 51}, {1, 1150}, {4, 320}, {10, 1368}, {7, 17}},
+     "mnlmlkmmmmnnooqoqqmmmmmmmmlmmlmmmmmmmmnmmnmnknkjmmmmmmmmmmmmkhgghgmmmmmmmmmmmmmmmmmmmpppopmmm"
+     "mmmnmlmmmlmmnlmmmmmmmmmmmmmlmmmmmlmmmmmmmnmnnmmnmnnlmlmllmmmmmmmmmmmmmmmmmmnmnmnnllnlnnnmlmll"
+     "mmmlmmmmlmmmmnmlmmmmmmmmmmmmmmmmmmmmpnmoolmmmmmmmmmmmmmmllllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlqlrpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmlnonnp"},
+    {{{2, 1024}, {3, 1328}, {6, 237}, {4, 320}, {4, 559}, {9, 0}},
+     "onmmmmlllmllmmmmmmmmmmmmmmlmllmmmmmnmlnmnnmlmlmmlnmommmlllllmmmmmmmmmmmmmmnmmmmnnnnnoklknlomk"
+     "mlkmmmmmmmmmmmmmmmmmmmmmmmmnmlmmlmmnmnnmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlomolm"
+     "mlmlmmnpppqpmmmmmmmmmmmmmmmmmmmljkjjklmmlmmmmmmmmmmmmmigggggmmmmmmmmmmmmmmmmmmlononnmmmmmmmmm"
+     "mmmmmmmmmmmmmmmlllmllmmmmmmmmmmmmlnoonoknmnlmnlmkllmnmmmlopppppmmmmmmmmmmmmmmmmmmmlklkkmmmmmm"
+     "mmmmmmmmmmmm"},
+    {{{2, 1088}, {6, 56}, {0, 384}, {2, 896}, {5, 823}, {1, 864}},
+     "mmmmmmmnmmnmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmpplollmnlnllmmmmmmmmmmmmmmmmmmmmlnmlmmmmmmmmm"
+     "mmmlmmmmmnmmmlmigfggfllllllmmmmmmmonnlnmmmmmmopqqqqmmmmmmnmnmmmpopnppllllllmmmmmmmlmlmmmmmmmm"
+     "kjijiimmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnmmnmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlpnpnn"
+     "mmmmmmmppppp"},
+    {{{5, 334}, {7, 64}, {11, 1814}, {5, 426}, {3, 896}, {9, 113}},
+     "mmmmmmmmmmmmmnljkkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmlnmlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmllmlmmnnnnmlnmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlmmmmmmmmmkmkmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmonppmmmmnnmmlmmmmlmnmlnmmmmmnmmmmmmmnmmnmmmmmlnmmmmmmmmmmmmnmonmnnomonlmkmkkmnmnmnmmn"
+     "mnnlmmmmmmmmmmmlmnnmmmmllllkjonnonnmmmmnmlllloolnlloplnmlmnmmmmmmmmmmnolnlkkmnnnmnmmmmmmmmmmm"
+     "lomommllmllm"},
+    {{{3, 1584}, {2, 768}, {9, 113}, {10, 1184}, {4, 448}, {11, 2109}},
+     "nmlmllnlllllmmlmmlmmnnmnmmnmonmlmlmmmlmlnmmlllllmmnmnnmnmmlllknnnnlpopoommmmnnlnmnnnolllmmmmm"
+     "mnnmmmnmmmmlmmlmmnmmnnmmnnnlmmmlmnmmmmmmpkokkmnlnllmnkmllmlnlmmklmnnmllolmoolmlnmlmkmkknlllml"
+     "nknknnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlolomlmnlnmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmnommnmlmnnmmmmmmmmmmmmmmmmkllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "kooolommmmmm"},
 };
 /* To here. */
 /* clang-format on */
@@ -112,24 +252,33 @@ static double rough_logarithm(double x)
     return exponent - 2 + 2 * mantissa;
 }
 
-double fmb_selection_term(const fmb_features *f, int pipeline, fmb_feature_id k)
+static size_t find_leaf(const tree *t, const int *mark)
 {
-    return WEIGHT[pipeline][1 + k] * rough_logarithm(fmb_features_value(f, k));
+    size_t leaf = 0;
+    for (int k = 0; k < QUESTIONS; k++)
+        leaf = 2 * leaf + (mark[t->question[k].feature] > t->question[k].above);
+    return leaf;
 }
 
-double fmb_selection_score(const fmb_features *f, int pipeline)
+void fmb_selection_score(const fmb_features *f, int *score)
 {
-    double sum = WEIGHT[pipeline][0];
+    int mark[FMB_FEATURE_COUNT];
     for (int k = 0; k < FMB_FEATURE_COUNT; k++)
-        sum += fmb_selection_term(f, pipeline, (fmb_feature_id)k);
-    return sum;
+        mark[k] = (int)(MARKS * rough_logarithm(fmb_features_value(f, (fmb_feature_id)k)));
+    memcpy(score, START, sizeof START);
+    for (size_t t = 0; t < sizeof TREE / sizeof *TREE; t++) {
+        const char *leaf = &TREE[t].leaf[find_leaf(&TREE[t], mark) * PIPELINE_COUNT];
+        for (int k = 0; k < PIPELINE_COUNT; k++)
+            score[k] += leaf[k] - NEUTRAL;
+    }
 }
 
 int fmb_selection_best(const fmb_features *f)
 {
-    int best = 0;
+    int score[FMB_MOST_PIPELINES], best = 0;
+    fmb_selection_score(f, score);
     for (int k = 1; k < PIPELINE_COUNT; k++)
-        if (fmb_selection_score(f, k) < fmb_selection_score(f, best))
+        if (score[k] < score[best])
             best = k;
     return best;
 }

@@ -1,9 +1,9 @@
 /* selection.h: which ways of a projection are tried, and for how long, by what a part is like.
  *
  * Nothing is measured but numbers of rows, variables and coefficients, so that the same system
- * takes the same way everywhere. For each pipeline a sum of logarithms of features, with weights
- * that are fitted to times on families of systems (bench/study/selection, `ninja fit-selection`),
- * tells the logarithm of its time over that of the best; the least one is taken.
+ * takes the same way everywhere. Trees of questions about features, which are fitted to times on
+ * families of systems (bench/study/selection, `ninja fit-selection`), add up to the logarithm of
+ * the time of each pipeline over that of the best; the least one is taken.
  */
 #ifndef FMB_SOLVE_SELECTION_H
 #define FMB_SOLVE_SELECTION_H
@@ -42,10 +42,11 @@ fmb_pipeline fmb_selection_pipeline(const fmb_features *f);
 
 /* Pipelines that the table knows by name. NULL: there are not so many. */
 const char *fmb_selection_name(int pipeline);
-/* What speaks against it, by one feature and by all: the one that the least speaks against is
- * taken. */
-double fmb_selection_term(const fmb_features *f, int pipeline, fmb_feature_id feature);
-double fmb_selection_score(const fmb_features *f, int pipeline);
+/* What speaks against each of them, in parts of 1 / FMB_SELECTION_PARTS: the one that the least
+ * speaks against is taken. */
+#define FMB_MOST_PIPELINES  8
+#define FMB_SELECTION_PARTS 32
+void fmb_selection_score(const fmb_features *f, int *score);
 int fmb_selection_best(const fmb_features *f);
 
 #ifdef FMB_ABLATE

@@ -5,9 +5,6 @@
 fmb_features_watcher fmb_features_watch;
 #endif
 
-#define FEW_KEPT     4
-#define FEW_FREEDOMS 5
-
 static int count_kept_variables(const fmb_reduced_part *h)
 {
     int kept = 0;
@@ -29,12 +26,6 @@ static bool holds_at_origin(const fmb_derived *r, size_t n)
 {
     int side = fmb_vec_sgn(&r->v, n);
     return side >= 0 && !(r->strict && side == 0) && !(r->equality && side != 0);
-}
-
-static size_t freedom_of_cone(size_t rows, size_t dimensions)
-{
-    size_t beyond = rows > dimensions ? rows - dimensions : 0;
-    return beyond > dimensions ? dimensions : beyond;
 }
 
 static size_t count_dropped_variables(const fmb_reduced_part *h, const fmb_derived *r)
@@ -95,7 +86,6 @@ fmb_features fmb_features_of(const fmb_reduced_part *reduced)
         if (reduced->drop[j])
             note_column(reduced, (size_t)j, &f);
     f.minor_bits = fmb_elim_minor_bits(&reduced->e);
-    f.freedom = freedom_of_cone(f.rows, f.columns + 1);
 #ifdef FMB_ABLATE
     if (fmb_features_watch.hear)
         fmb_features_watch.hear(fmb_features_watch.self, &f, reduced);
@@ -106,12 +96,6 @@ fmb_features fmb_features_of(const fmb_reduced_part *reduced)
 bool fmb_features_are_dense(const fmb_features *f)
 {
     return 4 * f->entries >= 3 * f->rows * f->columns;
-}
-
-bool fmb_features_is_hull_expensive(const fmb_features *f)
-{
-    return f->kept > FEW_KEPT && fmb_features_are_dense(f) && f->freedom <= FEW_FREEDOMS &&
-           !f->is_long;
 }
 
 #define FMB_FEATURE_NAME(id, name, value) [FMB_FEATURE_##id] = name,

@@ -20,7 +20,6 @@ typedef struct fmb_features {
     size_t dropped_rows;  /* and of such that go */
     size_t homogeneous;   /* rows with right side 0 */
     size_t most_pairs;    /* rows of opposite signs in a variable that goes, the most of all */
-    size_t freedom;       /* the least of dimensions and of rows beyond as many, of the cone */
     size_t minor_bits;    /* about as long is a minor of all columns, if rows are like the mean of
                              them [bits] */
     bool is_long;         /* some numbers are longer than a word, or so long in all rows that those
@@ -49,8 +48,7 @@ static inline double fmb_features_share(size_t part, size_t whole)
     F(MOST_PAIRS, "pairs of a variable", f->most_pairs)                                            \
     F(MINOR_BITS, "bits of a minor", f->minor_bits)                                                \
     F(WIDE, "wide numbers", f->is_wide)                                                            \
-    F(ORIGIN, "0 is a solution", f->has_origin)                                                    \
-    F(EXPENSIVE_HULL, "hulls are expensive", fmb_features_is_hull_expensive(f))
+    F(ORIGIN, "0 is a solution", f->has_origin)
 
 #define FMB_FEATURE_IDENTIFIER(id, name, value) FMB_FEATURE_##id,
 typedef enum fmb_feature_id {
@@ -60,10 +58,6 @@ typedef enum fmb_feature_id {
 
 /* Are three of four coefficients there? */
 bool fmb_features_are_dense(const fmb_features *f);
-/* The projection has few more facets than there are rows, while hulls in many dimensions, which
- * rays and queries end with, take longer than rows to be pruned. A rule that the fit asks about, as
- * it does not find it by itself. */
-bool fmb_features_is_hull_expensive(const fmb_features *f);
 
 /* Looks at each coefficient twice. What follows holds while the reduced part stays as it is. */
 fmb_features fmb_features_of(const fmb_reduced_part *reduced);

@@ -1,9 +1,8 @@
-/* ways_taken.c: which way of a projection is taken, and why, for a problem of each family: as
- * written down in ways_taken.txt. FMB_WRITE=FILE writes that file anew.
+/* ways_taken.c: which way of a projection is taken, and which is next, for a problem of each
+ * family: as written down in ways_taken.txt. FMB_WRITE=FILE writes that file anew.
  */
 #include <criterion/criterion.h>
 #include <inttypes.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,43 +20,28 @@ static const char *const STEP[FMB_STEPS] = {
     [FMB_STEP_QUERIES] = "queries",
 };
 
-static int find_second(const fmb_features *f, int best)
+static int find_second(const int *score, int best)
 {
     int second = -1;
     for (int k = 0; fmb_selection_name(k); k++)
-        if (k != best && (second < 0 || fmb_selection_score(f, k) < fmb_selection_score(f, second)))
+        if (k != best && (second < 0 || score[k] < score[second]))
             second = k;
     return second;
 }
 
-/* The feature that speaks for the best one rather than for the second, the most. */
-static fmb_feature_id find_reason(const fmb_features *f, int best, int second)
-{
-    int reason = 0;
-    double most = -INFINITY;
-    for (int k = 0; k < FMB_FEATURE_COUNT; k++) {
-        double speaks = fmb_selection_term(f, second, (fmb_feature_id)k) -
-                        fmb_selection_term(f, best, (fmb_feature_id)k);
-        if (speaks > most) {
-            most = speaks;
-            reason = k;
-        }
-    }
-    return (fmb_feature_id)reason;
-}
-
-/* The pipeline, and why not the second best. */
+/* The pipeline, and what is second best. */
 static void tell_choice(FILE *out, const fmb_features *f)
 {
-    int best = fmb_selection_best(f), second = find_second(f, best);
-    fmb_feature_id reason = find_reason(f, best, second);
+    int score[FMB_MOST_PIPELINES], best = fmb_selection_best(f);
+    fmb_selection_score(f, score);
+    int second = find_second(score, best);
     fprintf(out, "    %s:", fmb_selection_name(best));
     fmb_pipeline p = fmb_selection_pipeline(f);
     for (int k = 0; k < FMB_MOST_STEPS && p.step[k].kind != FMB_STEP_NONE; k++)
         fprintf(out, "%s %s", k > 0 ? "," : "", STEP[p.step[k].kind]);
-    fprintf(out, "\n    by %.2f rather than %s, most for %s %.4g\n",
-            (fmb_selection_score(f, second) - fmb_selection_score(f, best)) / 1000,
-            fmb_selection_name(second), fmb_features_name(reason), fmb_features_value(f, reason));
+    fprintf(out, "\n    by %.2f rather than %s\n",
+            (double)(score[second] - score[best]) / FMB_SELECTION_PARTS,
+            fmb_selection_name(second));
 }
 
 /* Of the largest part that is left once cheap variables are gone. */
