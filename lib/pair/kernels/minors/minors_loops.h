@@ -59,10 +59,10 @@ FMB_INLINE unsigned minors_are_whole(const lane *a, const lane *b, int size)
     return lane_bits(lane_less(lane_of(0), lane_min(a[size + 2], b[size + 2])));
 }
 
-/* Of lanes that rows leave open these rows in whole numbers, where these are short: first of each
- * lane a single row, then, if that is asked, all. */
+/* Of lanes that rows leave open these rows in whole numbers, where these are short: of each
+ * lane a single row or, if that is asked, all. *open become the lanes that are short. */
 static fmb_pair_bits minors_decide_rows(int dim, fmb_minors_what what, bool closed, const lane *a,
-                                        const lane *b, double *room, unsigned open, bool all)
+                                        const lane *b, double *room, unsigned *open, bool all)
 {
     fmb_pair_bits bits = {0, 0};
     minors_said said = minors_silent();
@@ -79,11 +79,11 @@ static fmb_pair_bits minors_decide_rows(int dim, fmb_minors_what what, bool clos
     rows.of.record[!mixed] = (const double *)b;
     rows.wanted = rows.full = 0;
     rows.n = 0;
-    for (unsigned left = open; left; left &= left - 1) {
+    for (unsigned left = *open; left; left &= left - 1) {
         const unsigned l = (unsigned)__builtin_ctz(left);
         rows.wanted |= (unsigned)fmb_open_rows_are_short(&rows, l) << l;
     }
-    const unsigned wanted = rows.wanted;
+    const unsigned wanted = *open = rows.wanted;
     if (wanted)
         MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM](
             &(minors_asked){.how = MINORS_OPEN, .list = FMB_MINORS_LIST, .rows = &rows}, a, b, room,
@@ -124,16 +124,19 @@ static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(int dim, fmb_minors_wha
     fmb_pair_bits bits = {0, 0};
     minors_said said = minors_silent();
     const unsigned whole = closed && rows ? minors_are_whole(a, b, dim * (2 * dim + 3)) : 0;
+    unsigned some = open;
     if (minors_want_row(what, open, whole))
-        open = minors_learn(minors_decide_rows(dim, what, closed, a, b, room, open, false), open,
+        open = minors_learn(minors_decide_rows(dim, what, closed, a, b, room, &some, false), open,
                             &bits);
+    some &= open;
     if (open & whole) {
         ask(&(minors_asked){.how = MINORS_WHOLE}, a, b, room, &said);
         said.meet = said.meet - lane_of(1);
         open = minors_learn(minors_bits(&said), open, &bits);
+        some &= open;
     }
-    if (open && rows)
-        open = minors_learn(minors_decide_rows(dim, what, closed, a, b, room, open, true), open,
+    if (some && rows)
+        open = minors_learn(minors_decide_rows(dim, what, closed, a, b, room, &some, true), open,
                             &bits);
     if (open)
         bits.meet |=
