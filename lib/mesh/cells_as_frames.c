@@ -9,18 +9,32 @@
 #include "pair/contact/contact_near.h"
 #include "proximity/proximity_private.h"
 
-fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion)
+void fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion)
 {
-    fmb_pair_options o = {.size = sizeof o};
-    fmb_options how = {.size = sizeof how};
     *x = (fmb_mesh_frames){.motion = motion};
     x->mem = hook ? *hook : (fmb_alloc){0};
-    how.evidence = FMB_EVIDENCE_NONE;
+}
+
+static const fmb_alloc *hook_of(const fmb_mesh_frames *x)
+{
+    return x->mem.resize ? &x->mem : NULL;
+}
+
+/* [keep] What asks pairs with this contact. Errors: MEMORY. */
+static fmb_status open_pair(fmb_mesh_frames *x, fmb_contact contact, fmb_pair **k)
+{
+    fmb_pair_options o = {.size = sizeof o};
     o.max_bytes = SIZE_MAX;
-    fmb_status st = fmb_pair_new(3, &o, hook, &x->closed);
-    o.contact = FMB_CONTACT_OPEN;
-    FMB_THEN(st, fmb_pair_new(3, &o, hook, &x->open));
-    return st == FMB_OK ? fmb_solver_new(&how, hook, &x->solver) : st;
+    o.contact = contact;
+    return *k ? FMB_OK : fmb_pair_new(3, &o, hook_of(x), k);
+}
+
+/* Errors: MEMORY. */
+static fmb_status open_solver(fmb_mesh_frames *x)
+{
+    fmb_options o = {.size = sizeof o};
+    o.evidence = FMB_EVIDENCE_NONE;
+    return x->solver ? FMB_OK : fmb_solver_new(&o, hook_of(x), &x->solver);
 }
 
 void fmb_mesh_frames_close(fmb_mesh_frames *x)
@@ -57,14 +71,14 @@ static void frame_cell(const fmb_cell *c, const fmb_cell *other, const double *s
  * are shared: is sum of c_i > 0, over i of those, possible? */
 static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], int shared, bool *out)
 {
-    const fmb_alloc *hook = x->mem.resize ? &x->mem : NULL;
     int64_t row[2 * FMB_CELL_MOST_CORNERS] = {0};
     fmb_system *s = NULL;
     fmb_result result = {.size = sizeof result};
     for (int i = shared - 1; i < f[0].naxes; i++)
         row[i] = -1;
-    fmb_status st =
-        fmb_system_from_frames(f, 2, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, hook, &s);
+    fmb_status st = open_solver(x);
+    FMB_THEN(
+        st, fmb_system_from_frames(f, 2, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, hook_of(x), &s));
     FMB_THEN(st, fmb_system_add_int(s, row, FMB_LT, 0));
     FMB_THEN(st, fmb_solve(x->solver, s, &result));
     if (st == FMB_OK)
@@ -73,11 +87,15 @@ static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], in
     return st;
 }
 
-static fmb_status ask_pair(fmb_pair *k, const fmb_frame f[2], bool *meet)
+static fmb_status ask_pair(fmb_mesh_frames *x, fmb_contact contact, const fmb_frame f[2],
+                           bool *meet)
 {
+    fmb_pair **k = contact == FMB_CONTACT_OPEN ? &x->open : &x->closed;
     fmb_verdict v;
-    fmb_status st = fmb_pair_test(
-        k, 1, &f[0], &f[1], &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v});
+    fmb_status st = open_pair(x, contact, k);
+    FMB_THEN(st,
+             fmb_pair_test(*k, 1, &f[0], &f[1],
+                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v}));
     *meet = st == FMB_OK && v == FMB_FEASIBLE;
     return st;
 }
@@ -94,9 +112,9 @@ fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const f
     const fmb_frame f[2] = {p.frame, q.frame};
     fmb_status st = FMB_OK;
     if (shared == 0)
-        st = ask_pair(x->closed, f, &meet);
+        st = ask_pair(x, FMB_CONTACT_CLOSED, f, &meet);
     if (st == FMB_OK && meet && !x->motion)
-        st = ask_pair(x->open, f, &cross);
+        st = ask_pair(x, FMB_CONTACT_OPEN, f, &cross);
     if (st == FMB_OK && shared > 0 && !cross && !x->motion)
         st = ask_beyond_shared(x, f, shared, &beyond);
     if (st != FMB_OK)
@@ -130,6 +148,7 @@ fmb_status fmb_mesh_measure_cells(fmb_mesh_frames *x, const fmb_cell *a, const f
     frame_cell(a, b, NULL, &p);
     frame_cell(b, a, x->motion, &q);
     const fmb_frame f[2] = {p.frame, q.frame};
+    FMB_TRY(open_solver(x));
     return fmb_distance(x->solver, f, FMB_NORM_EUCLIDEAN, out, &result);
 }
 

@@ -9,7 +9,7 @@
 #include "mesh/clearance.h"
 #include "mesh/mesh_private.h"
 
-/* What asks pairs of cells as frames. */
+/* What asks pairs of cells as frames; NULL until it is needed, as few meshes have such pairs. */
 typedef struct fmb_mesh_frames {
     fmb_pair *closed, *open;
     fmb_solver *solver;
@@ -17,8 +17,8 @@ typedef struct fmb_mesh_frames {
     const double *motion; /* of b, or NULL */
 } fmb_mesh_frames;
 
-/* Errors: MEMORY. What was opened is to be closed. */
-fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion);
+/* What was opened is to be closed. */
+void fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion);
 void fmb_mesh_frames_close(fmb_mesh_frames *x);
 /* Any two cells; if something moves, whether they meet (TOUCH). flat_b: b is flat.
  * Errors: MEMORY. */

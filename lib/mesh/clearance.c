@@ -30,9 +30,10 @@ void fmb_mesh_clearance_set(fmb_mesh_clearance *m, mpq_srcptr square)
 bool fmb_mesh_clearance_read(fmb_mesh_clearance *m, const char *text)
 {
     mpq_t x;
+    if (!text)
+        return true;
     mpq_init(x);
-    bool good =
-        !text || (mpq_set_str(x, text, 10) == 0 && mpz_sgn(mpq_denref(x)) > 0 && mpq_sgn(x) >= 0);
+    bool good = (mpq_set_str(x, text, 10) == 0 && mpz_sgn(mpq_denref(x)) > 0 && mpq_sgn(x) >= 0);
     if (good) {
         mpq_canonicalize(x);
         mpq_mul(x, x, x);

@@ -14,8 +14,8 @@ typedef struct fmb_mesh_clearance {
 
 void fmb_mesh_clearance_init(fmb_mesh_clearance *m);
 void fmb_mesh_clearance_clear(fmb_mesh_clearance *m);
-/* D becomes "p" or "p/q", in decimal digits, or 0 for NULL; false: that is no number, or less than
- * 0. */
+/* D becomes "p" or "p/q", in decimal digits, or stays 0 for NULL; false: that is no number, or less
+ * than 0. */
 bool fmb_mesh_clearance_read(fmb_mesh_clearance *m, const char *text);
 /* The same of the square of D. */
 void fmb_mesh_clearance_set(fmb_mesh_clearance *m, mpq_srcptr square);

@@ -136,19 +136,16 @@ static size_t share_of_hits(const fmb_walk_plan *plan, const fmb_mem *mem, int t
     return mem->limit == 0 ? 0 : share > 0 ? share : 1;
 }
 
-static fmb_status open_walks(fmb_walk_plan *plan, const fmb_mem *mem, fmb_tree_walk *walk,
-                             int threads)
+static void open_walks(fmb_walk_plan *plan, const fmb_mem *mem, fmb_tree_walk *walk, int threads)
 {
-    fmb_status st = FMB_OK;
-    for (int t = 0; st == FMB_OK && t < threads; t++) {
+    for (int t = 0; t < threads; t++) {
         walk[t].plan = plan;
         walk[t].tells = t == 0;
         walk[t].run = plan->run;
         fmb_mem_init(&walk[t].mem, plan->o->mem, share_of_hits(plan, mem, threads));
         walk[t].out.mem = walk[t].mem.alloc;
-        st = fmb_mesh_frames_open(&walk[t].frames, plan->o->mem, plan->o->motion);
+        fmb_mesh_frames_open(&walk[t].frames, plan->o->mem, plan->o->motion);
     }
-    return st;
 }
 
 static void close_walks(fmb_tree_walk *walk, int threads)
@@ -169,8 +166,9 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
     int threads = count_threads(plan->o);
     fmb_tree_walk *walk;
     FMB_TRY(FMB_GET_ZERO(mem, walk, (size_t)threads));
-    fmb_status st = open_walks(plan, mem, walk, threads);
-    if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
+    fmb_status st = FMB_OK;
+    open_walks(plan, mem, walk, threads);
+    if (plan->a->cells > 0 && plan->b->cells > 0)
         st = walk_all(plan, mem, walk, threads);
     FMB_THEN(st, join_walks(plan, walk, threads));
     if (st == FMB_OK) {
@@ -184,6 +182,15 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
 
 /* ---- the query ------------------------------------------------------------------------------- */
 
+static bool can_be_clearance(const char *within)
+{
+    fmb_mesh_clearance clearance;
+    fmb_mesh_clearance_init(&clearance);
+    bool good = fmb_mesh_clearance_read(&clearance, within);
+    fmb_mesh_clearance_clear(&clearance);
+    return good;
+}
+
 /* The options that are given, or those by default. Errors: ARG, and why. */
 static fmb_status read_mesh_options(const fmb_mesh_options *o, fmb_mesh_options *ours, char *why,
                                     size_t size)
@@ -195,11 +202,8 @@ static fmb_status read_mesh_options(const fmb_mesh_options *o, fmb_mesh_options 
             snprintf(why, size, "motion[%d] is %g", j, ours->motion[j]);
     if (!(ours->max_seconds >= 0))
         snprintf(why, size, "max_seconds is %g", ours->max_seconds);
-    fmb_mesh_clearance clearance;
-    fmb_mesh_clearance_init(&clearance);
-    if (!fmb_mesh_clearance_read(&clearance, ours->within))
+    if (!can_be_clearance(ours->within))
         snprintf(why, size, "within is '%.100s', not p or p/q, at least 0", ours->within);
-    fmb_mesh_clearance_clear(&clearance);
     return why[0] ? FMB_ERR_ARG : FMB_OK;
 }
 

@@ -113,8 +113,8 @@ fmb_status fmb_mesh_bound_distance(fmb_walk_plan *plan)
         mpq_clear(square);
     } else if (st == FMB_OK) {
         fmb_mesh_frames frames;
-        st = fmb_mesh_frames_open(&frames, plan->o->mem, plan->o->motion);
-        FMB_THEN(st, measure_first_cells(plan, &frames));
+        fmb_mesh_frames_open(&frames, plan->o->mem, plan->o->motion);
+        st = measure_first_cells(plan, &frames);
         fmb_mesh_frames_close(&frames);
     }
     return st;
@@ -152,8 +152,8 @@ fmb_status fmb_mesh_choose_nearest(fmb_walk_plan *plan, const fmb_mesh_answer *n
     fmb_mesh_frames frames;
     if (near->stop != FMB_STOP_DONE)
         return FMB_OK;
-    fmb_status st = fmb_mesh_frames_open(&frames, plan->o->mem, plan->o->motion);
-    FMB_THEN(st, choose_of_hits(plan, &frames, near));
+    fmb_mesh_frames_open(&frames, plan->o->mem, plan->o->motion);
+    fmb_status st = choose_of_hits(plan, &frames, near);
     fmb_mesh_frames_close(&frames);
     if (st != FMB_OK) {
         fmb_proximity_free(plan->nearest->distance);

@@ -47,9 +47,10 @@ static inline fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_o
 {
     fmb_cell out = {.corners = m->corners};
     const uint32_t *corner = m->corner + c * (size_t)m->corners;
-    for (int k = 0; k < m->corners; k++) {
-        out.point[k] = m->point + 3 * (size_t)corner[k];
-        out.id[k] = ids_of[corner[k]];
+    for (int k = 0; k < FMB_CELL_MOST_CORNERS; k++) {
+        uint32_t vertex = corner[k < m->corners ? k : 0];
+        out.point[k] = m->point + 3 * (size_t)vertex;
+        out.id[k] = ids_of[vertex];
     }
     return out;
 }

@@ -4,12 +4,13 @@
 /* ---- pairs of cells -------------------------------------------------------------------------- */
 
 static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_cell *b,
-                               unsigned faults, int shared, fmb_mesh_how *how)
+                               unsigned faults, unsigned common, fmb_mesh_how *how)
 {
+    int shared = fmb_cell_count(common);
     bool alike = a->corners == b->corners && !faults && !x->plan->o->motion;
     *how = FMB_MESH_TOUCH;
     if (alike && a->corners == 3)
-        *how = fmb_decide_triangles(a, b, shared);
+        *how = fmb_decide_triangles(a, b, common);
     else if (alike)
         *how = fmb_decide_tetrahedra(a, b, shared);
     if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
@@ -32,19 +33,18 @@ static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a, uin
                                         const fmb_cell *b, uint32_t j)
 {
     fmb_mesh_how how;
-    int shared = fmb_cells_count_shared(a, b);
-    if (fmb_run_poll(&x->run) != FMB_OK)
-        return FMB_LIMIT;
+    unsigned common = fmb_cell_common(a, b);
     x->out.tested++;
     unsigned faults = x->plan->a->faults[i] | (unsigned)x->plan->b->faults[j] << 4;
-    fmb_status st = decide_cells(x, a, b, faults, shared, &how);
+    fmb_status st = decide_cells(x, a, b, faults, common, &how);
     bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->plan->o->neighbours);
     if (st == FMB_OK && how == FMB_MESH_APART && x->plan->clearance.gap > 0) {
         bool exactly;
         st = fmb_mesh_cells_are_near(&x->frames, a, b, &x->plan->clearance, &exactly, &wanted);
         x->out.framed += exactly;
     }
-    return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, shared, how}) : st;
+    return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, fmb_cell_count(common), how})
+                                  : st;
 }
 
 /* ---- trees ----------------------------------------------------------------------------------- */
@@ -76,50 +76,56 @@ static fmb_status note_progress(fmb_tree_walk *x, double weight)
     return share_progress(x);
 }
 
-/* Cells of a leaf, and their boxes; where they come to, if they move. */
+/* Cells of a leaf by their places in its tree's order, and their boxes; where these come to, if
+ * they move. */
 typedef struct leaf_cells {
     int size;
-    uint32_t cell[FMB_MESH_LEAF_CELLS];
+    uint32_t place[FMB_MESH_LEAF_CELLS];
     fmb_mesh_box box[FMB_MESH_LEAF_CELLS];
+    fmb_cell cell[FMB_MESH_LEAF_CELLS];
 } leaf_cells;
 
 /* Those of leaf n whose boxes are near one around the cells of another leaf. */
-static void list_cells(const fmb_mesh *m, const fmb_mesh_node *n, const double *motion,
-                       const fmb_mesh_clearance *clearance, const fmb_mesh_box *other,
-                       leaf_cells *out)
+static void list_cells(const fmb_mesh *m, const uint32_t *ids, const fmb_mesh_node *n,
+                       const double *motion, const fmb_mesh_clearance *clearance,
+                       const fmb_mesh_box *other, leaf_cells *out)
 {
     out->size = 0;
     for (uint32_t i = n->from; i < n->to; i++) {
         out->box[out->size] = fmb_mesh_box_sweep(m->box[i], motion);
-        out->cell[out->size] = m->order[i];
+        out->place[out->size] = i;
         out->size += fmb_mesh_boxes_are_near(clearance, &out->box[out->size], other);
     }
+    for (int i = 0; i < out->size; i++)
+        out->cell[i] = fmb_mesh_cell_of(m, ids, m->order[out->place[i]]);
 }
 
-/* Cell c of the first mesh and d of the second; of one mesh the smaller number first. */
-static fmb_status meet_cells(fmb_tree_walk *x, uint32_t c, uint32_t d)
+/* Cell i of p and j of q; of one mesh the smaller number first. */
+static fmb_status meet_cells(fmb_tree_walk *x, const leaf_cells *p, int i, const leaf_cells *q,
+                             int j)
 {
     const fmb_walk_plan *plan = x->plan;
+    uint32_t c = plan->a->order[p->place[i]], d = plan->b->order[q->place[j]];
     bool swap = plan->a == plan->b && d < c;
-    fmb_cell a = fmb_mesh_cell_of(plan->a, plan->ids_a, c);
-    fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, d);
-    return swap ? look_at_pair_of_cells(x, &b, d, &a, c) : look_at_pair_of_cells(x, &a, c, &b, d);
+    return swap ? look_at_pair_of_cells(x, &q->cell[j], d, &p->cell[i], c)
+                : look_at_pair_of_cells(x, &p->cell[i], c, &q->cell[j], d);
 }
 
 /* Of one node with itself: each pair once. */
 static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
 {
-    const double *motion = x->plan->o->motion;
-    const fmb_mesh_clearance *clearance = &x->plan->clearance;
+    const fmb_walk_plan *plan = x->plan;
+    const double *motion = plan->o->motion;
+    const fmb_mesh_clearance *clearance = &plan->clearance;
     fmb_mesh_box swept = fmb_mesh_box_sweep(q->box, motion);
-    fmb_status st = FMB_OK;
+    fmb_status st = fmb_run_poll(&x->run);
     leaf_cells a, b;
-    list_cells(x->plan->a, p, NULL, clearance, &swept, &a);
-    list_cells(x->plan->b, q, motion, clearance, &p->box, &b);
+    list_cells(plan->a, plan->ids_a, p, NULL, clearance, &swept, &a);
+    list_cells(plan->b, plan->ids_b, q, motion, clearance, &p->box, &b);
     for (int i = 0; i < a.size; i++)
         for (int j = p == q ? i + 1 : 0; st == FMB_OK && j < b.size; j++)
             if (fmb_mesh_boxes_are_near(clearance, &a.box[i], &b.box[j]))
-                st = meet_cells(x, a.cell[i], b.cell[j]);
+                st = meet_cells(x, &a, i, &b, j);
     return st;
 }
 
@@ -169,6 +175,7 @@ fmb_status fmb_walk_row_of_pairs(fmb_tree_walk *x, uint32_t row)
     for (size_t j = plan->a == plan->b ? (size_t)row + 1 : 0; st == FMB_OK && j < cells;) {
         size_t end = cells - j < PAIRS_BETWEEN_NOTES ? cells : j + PAIRS_BETWEEN_NOTES;
         double share = weight * (double)(end - j);
+        st = fmb_run_poll(&x->run);
         for (; st == FMB_OK && j < end; j++) {
             fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, (uint32_t)j);
             st = look_at_pair_of_cells(x, &a, row, &b, (uint32_t)j);

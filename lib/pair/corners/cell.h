@@ -4,6 +4,8 @@
 #ifndef FMB_PAIR_CELL_H
 #define FMB_PAIR_CELL_H
 
+#include <string.h>
+
 #include <fmb/frame.h>
 #include <fmb/mesh.h>
 
@@ -11,7 +13,8 @@ enum { FMB_CELL_MOST_CORNERS = 4 };
 
 typedef struct fmb_cell {
     const double *point[FMB_CELL_MOST_CORNERS]; /* [3] each */
-    uint32_t id[FMB_CELL_MOST_CORNERS];         /* of two cells equal where points are */
+    uint32_t id[FMB_CELL_MOST_CORNERS];         /* of two cells equal where points are; behind the
+                                                   corners again the first one's */
     int corners;                                /* 3 or 4 */
 } fmb_cell;
 
@@ -29,18 +32,30 @@ static inline bool fmb_cell_has(const fmb_cell *c, uint32_t id)
     return k < c->corners;
 }
 
-/* Corners of a that are corners of b. */
-static inline int fmb_cells_count_shared(const fmb_cell *a, const fmb_cell *b)
+/* Bit k is 1 if corner k of a is one of b. */
+static inline unsigned fmb_cell_common(const fmb_cell *a, const fmb_cell *b)
 {
-    int n = 0;
-    for (int i = 0; i < a->corners; i++)
-        n += fmb_cell_has(b, a->id[i]);
-    return n;
+    typedef uint32_t four __attribute__((vector_size(16)));
+    typedef uint64_t two __attribute__((vector_size(16)));
+    four ids, equal = {0};
+    memcpy(&ids, a->id, sizeof ids);
+    for (int j = 0; j < FMB_CELL_MOST_CORNERS; j++)
+        equal |= (four)(ids == b->id[j]);
+    two bits = (two)(equal & (four){1, 2, 4, 8});
+    uint64_t any = bits[0] | bits[1];
+    return (unsigned)(any | any >> 32) & ((1u << a->corners) - 1);
 }
 
-/* Two triangles, two tetrahedra, all tame and not flat; shared: as above. */
-fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, int shared);
-/* FMB_MESH_TOUCH may also be SHARE here, if shared > 0. */
+/* How many of four bits are 1. */
+static inline int fmb_cell_count(unsigned bits)
+{
+    return (int)(UINT64_C(0x4332322132212110) >> 4 * bits & 15);
+}
+
+/* Two triangles, tame and not flat; common: their fmb_cell_common. */
+fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, unsigned common);
+/* Likewise two tetrahedra, with so many corners in common. FMB_MESH_TOUCH may also be SHARE here,
+ * if shared > 0. */
 fmb_mesh_how fmb_decide_tetrahedra(const fmb_cell *a, const fmb_cell *b, int shared);
 
 /* Do two frames meet? False, and *out is as it was: they are not both triangles or both tetrahedra

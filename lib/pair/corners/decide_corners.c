@@ -31,9 +31,10 @@ bool fmb_cell_is_tame(const fmb_cell *c)
 static fmb_cell cell_of_frame(const fmb_frame *f)
 {
     fmb_cell c = {.corners = f->naxes + 1};
-    for (int k = 0; k < c.corners; k++) {
-        c.point[k] = k == 0 ? f->origin : f->axes + 3 * (k - 1);
-        c.id[k] = (uint32_t)k;
+    for (int k = 0; k < FMB_CELL_MOST_CORNERS; k++) {
+        int corner = k < c.corners ? k : 0;
+        c.point[k] = corner == 0 ? f->origin : f->axes + 3 * (corner - 1);
+        c.id[k] = (uint32_t)corner;
     }
     return c;
 }
@@ -45,17 +46,14 @@ static bool are_equal_corners(const double *p, const double *q)
 
 /* The corners of b that are corners of a get the numbers that they have there. Corners of a that is
  * not flat are distinct. */
-static int number_shared_corners(const fmb_cell *a, fmb_cell *b)
+static void number_shared_corners(const fmb_cell *a, fmb_cell *b)
 {
-    int shared = 0;
-    for (int k = 0; k < b->corners; k++) {
+    for (int k = 0; k < FMB_CELL_MOST_CORNERS; k++) {
         int i = 0;
         while (i < a->corners && !are_equal_corners(a->point[i], b->point[k]))
             i++;
-        b->id[k] = (uint32_t)(i < a->corners ? i : FMB_CELL_MOST_CORNERS + k);
-        shared += i < a->corners;
+        b->id[k] = i < a->corners ? (uint32_t)i : FMB_CELL_MOST_CORNERS + b->id[k];
     }
-    return shared;
 }
 
 static bool is_good_cell(const fmb_frame *f)
@@ -73,9 +71,10 @@ bool fmb_decide_corners(const fmb_frame *p, const fmb_frame *q, fmb_contact cont
     if (!fmb_cell_is_tame(&a) || !fmb_cell_is_tame(&b) || fmb_cell_is_flat(&a) ||
         fmb_cell_is_flat(&b))
         return false;
-    int shared = number_shared_corners(&a, &b);
-    fmb_mesh_how how = a.corners == 3 ? fmb_decide_triangles(&a, &b, shared)
-                                      : fmb_decide_tetrahedra(&a, &b, shared);
+    number_shared_corners(&a, &b);
+    unsigned common = fmb_cell_common(&a, &b);
+    fmb_mesh_how how = a.corners == 3 ? fmb_decide_triangles(&a, &b, common)
+                                      : fmb_decide_tetrahedra(&a, &b, fmb_cell_count(common));
     bool meet = contact == FMB_CONTACT_CLOSED ? how != FMB_MESH_APART
                                               : how == FMB_MESH_CROSS || how == FMB_MESH_COPLANAR;
     *out = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;

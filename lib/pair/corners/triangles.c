@@ -32,11 +32,6 @@ static void find_sides_of_plane(const fmb_cell *a, const fmb_cell *b, const fmb_
         side[i] = fmb_cell_has(b, a->id[i]) ? 0 : fmb_side_of_triangle_plane(h, a->point[i]);
 }
 
-static bool are_all_equal(const int side[3], int value)
-{
-    return side[0] == value && side[1] == value && side[2] == value;
-}
-
 static bool are_on_both_sides(const int side[3])
 {
     int seen = 0;
@@ -98,19 +93,26 @@ static fmb_mesh_how decide_across_planes(const fmb_cell *a, const int *side_a, c
 
 /* ---- one plane ------------------------------------------------------------------------------- */
 
+/* Not a part of the loops below, which are short then. */
+__attribute__((noinline)) static int turn_in_plane(int k, const double *p, const double *q,
+                                                   const double *r)
+{
+    return fmb_sign_of_turn(k, p, q, r);
+}
+
 /* On which side of edge i of a is corner j of b: -1, 0, 1? Corners that both have need no turn. */
 static int side_of_edge(int k, const fmb_cell *a, int i, const fmb_cell *b, int j)
 {
     int next = (i + 1) % 3;
     if (b->id[j] == a->id[i] || b->id[j] == a->id[next])
         return 0;
-    return fmb_sign_of_turn(k, a->point[i], a->point[next], b->point[j]);
+    return turn_in_plane(k, a->point[i], a->point[next], b->point[j]);
 }
 
 /* 1: an edge of a has all of b strictly outside; 0: outside or on it; -1: no edge has. */
 static int separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
 {
-    int best = -1, inner = fmb_sign_of_turn(k, a->point[0], a->point[1], a->point[2]);
+    int best = -1, inner = turn_in_plane(k, a->point[0], a->point[1], a->point[2]);
     for (int i = 0; i < 3; i++) {
         int least = 1;
         for (int j = 0; j < 3 && least > best; j++) {
@@ -145,7 +147,7 @@ static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
     for (int s = 1; s < 3; s++)
         for (int t = 1; t < 3; t++) {
             const double *p = a->point[(i + s) % 3], *q = b->point[(j + t) % 3];
-            if (fmb_sign_of_turn(k, v, p, q) == 0 && are_same_way(v, p, q))
+            if (turn_in_plane(k, v, p, q) == 0 && are_same_way(v, p, q))
                 return true;
         }
     return false;
@@ -156,7 +158,7 @@ static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
 static fmb_mesh_how decide_in_plane(const fmb_cell *a, const fmb_cell *b, int shared)
 {
     int k = 0;
-    while (k < 2 && fmb_sign_of_turn(k, a->point[0], a->point[1], a->point[2]) == 0)
+    while (k < 2 && turn_in_plane(k, a->point[0], a->point[1], a->point[2]) == 0)
         k++;
     int of_a = separate_by_edges(k, a, b);
     int of_b = of_a > 0 || (of_a == 0 && shared > 0) ? of_a : separate_by_edges(k, b, a);
@@ -177,45 +179,88 @@ static int steepest_axis(const fmb_triangle_plane *h)
     return fabs(h->normal[2]) > fabs(h->normal[k]) ? 2 : k;
 }
 
-/* Seen along axis k, which is not in the plane of a, all of b but the common corners is strictly on
- * the other side of an edge of a. Then no other point is common: one would be seen on the line of
- * the edge, where the corners alone are of b. Most neighbours in a mesh are told by this, those in
- * one plane among them, for which volumes are 0 and take long.
- */
-static bool is_beyond_an_edge(int k, const fmb_cell *a, const fmb_cell *b, int shared)
+/* The corners of c, turned round so that corner i is the first. */
+static void list_corners_from(const fmb_cell *c, int i, const double *out[3])
 {
-    int inner = fmb_sign_of_turn(k, a->point[0], a->point[1], a->point[2]);
-    for (int i = 0; inner != 0 && i < 3; i++) {
-        int beyond = 0;
-        if (fmb_cell_has(b, a->id[i]) + fmb_cell_has(b, a->id[(i + 1) % 3]) < shared)
-            continue;
-        for (int j = 0; j < 3; j++)
-            beyond += !fmb_cell_has(a, b->id[j]) && side_of_edge(k, a, i, b, j) == -inner;
-        if (beyond == 3 - shared)
+    for (int j = 0; j < 3; j++)
+        out[j] = c->point[i + j < 3 ? i + j : i + j - 3];
+}
+
+/* Triangles with a common corner, the first of both; seen along axis k, which is not in the plane
+ * of a, the others of one are strictly beyond the line of an edge of the other one that ends there.
+ * Then only the corner is common: another point would be seen on that line, where the one has its
+ * corner alone and the other one, if it is a, no two points that are seen as one.
+ */
+static bool are_apart_but_for_corner(int k, const double *const a[3], const double *const b[3])
+{
+    int of_a = fmb_sign_of_turn(k, a[0], a[1], a[2]), turn[2][2];
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 2; j++)
+            turn[i][j] = fmb_sign_of_turn(k, a[0], a[1 + i], b[1 + j]);
+        int inner = i == 0 ? of_a : -of_a;
+        if (inner != 0 && turn[i][0] == -inner && turn[i][1] == -inner)
             return true;
     }
-    return false;
+    int of_b = fmb_sign_of_turn(k, a[0], b[1], b[2]);
+    return of_b != 0 && ((turn[0][0] == of_b && turn[1][0] == of_b) ||
+                         (turn[0][1] == -of_b && turn[1][1] == -of_b));
+}
+
+/* Triangles with a common edge, behind the first corner of both: that of b is strictly beyond it.
+ * Then only the edge is common, as above. */
+static bool are_apart_but_for_edge(int k, const double *const a[3], const double *const b[3])
+{
+    int of_a = fmb_sign_of_turn(k, a[1], a[2], a[0]);
+    return of_a != 0 && fmb_sign_of_turn(k, a[1], a[2], b[0]) == -of_a;
+}
+
+/* The only one of the three lowest bits that is 1. */
+static int place_of_bit(unsigned bit)
+{
+    return (int)(bit >> 1);
+}
+
+/* Most neighbours in a mesh are told by this, those in one plane among them, for which volumes are
+ * 0 and take long. h: a's plane. */
+static bool are_mere_neighbours(const fmb_triangle_plane *h, const fmb_cell *a, const fmb_cell *b,
+                                unsigned common, int shared)
+{
+    if (shared != 1 && shared != 2)
+        return false;
+    unsigned flip = shared == 1 ? 0 : 7;
+    const double *p[3], *q[3];
+    list_corners_from(a, place_of_bit(common ^ flip), p);
+    list_corners_from(b, place_of_bit(fmb_cell_common(b, a) ^ flip), q);
+    int k = steepest_axis(h);
+    return shared == 1 ? are_apart_but_for_corner(k, p, q) : are_apart_but_for_edge(k, p, q);
+}
+
+/* The corners that are not common, of which there are some, are strictly on one side. */
+static bool are_others_on_one_side(const int side[3], int shared)
+{
+    int sum = side[0] + side[1] + side[2];
+    return sum == 3 - shared || sum == shared - 3;
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
 
-/* Two common corners and two planes: the common points are those of the common edge. */
-fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, int shared)
+/* What is strictly on one side of a plane but for common corners meets what is in it in these. */
+fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, unsigned common)
 {
+    const int shared = fmb_cell_count(common);
+    const fmb_mesh_how neither = shared > 0 ? FMB_MESH_SHARE : FMB_MESH_APART;
     int side_a[3], side_b[3];
     fmb_triangle_plane of_a = plane_of_cell(a);
-    if ((shared == 1 || shared == 2) && is_beyond_an_edge(steepest_axis(&of_a), a, b, shared))
+    if (are_mere_neighbours(&of_a, a, b, common, shared))
         return FMB_MESH_SHARE;
     find_sides_of_plane(b, a, &of_a, side_b);
-    if (side_b[0] != 0 && are_all_equal(side_b, side_b[0]))
-        return FMB_MESH_APART;
-    if (are_all_equal(side_b, 0))
+    if (side_b[0] == 0 && side_b[1] == 0 && side_b[2] == 0)
         return decide_in_plane(a, b, shared);
-    if (shared == 2)
-        return FMB_MESH_SHARE;
+    if (are_others_on_one_side(side_b, shared))
+        return neither;
     fmb_triangle_plane of_b = plane_of_cell(b);
     find_sides_of_plane(a, b, &of_b, side_a);
-    if (side_a[0] != 0 && are_all_equal(side_a, side_a[0]))
-        return FMB_MESH_APART;
+    if (are_others_on_one_side(side_a, shared))
+        return neither;
     return decide_across_planes(a, side_a, b, side_b, shared);
 }

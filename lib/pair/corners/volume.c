@@ -124,29 +124,30 @@ static int exact_sign(fmb_difference u, fmb_difference v, fmb_difference w)
     return sign_of_expansion(sum[1], n);
 }
 
-FMB_NEVER_CLONED static int exact_turn(int i, int j, const double *p, const double *q,
-                                       const double *r)
+/* Of u_0 v_1 - u_1 v_0: products round to the nearest double, so the larger one of two is not below
+ * the other, and what was lost tells between equal ones. */
+static int sign_of_short_minor(const double u[2], const double v[2])
 {
+    lane2 left = two_product(u[0], v[1]), right = two_product(u[1], v[0]);
+    double more = left.hi == right.hi ? left.lo - right.lo : left.hi - right.hi;
+    return (more > 0) - (more < 0);
+}
+
+/* Few numbers in files are so long that a difference is. */
+int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double *r)
+{
+    int i = (k + 1) % 3, j = (k + 2) % 3;
     fmb_difference u = {q, p}, v = {r, p};
     linear us[2] = {exact_coordinate(u, i), exact_coordinate(u, j)};
     linear vs[2] = {exact_coordinate(v, i), exact_coordinate(v, j)};
     double minor[2 * QUADRATIC];
+    if (us[0].n < 2 && us[1].n < 2 && vs[0].n < 2 && vs[1].n < 2)
+        return sign_of_short_minor((double[]){us[0].c[0], us[1].c[0]},
+                                   (double[]){vs[0].c[0], vs[1].c[0]});
     return sign_of_expansion(minor, exact_minor(us, vs, minor));
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
-
-/* The error is at most (3 + 16 e) e times the sum of absolute values, e = 2^-53 (Shewchuk, "the 2D
- * orientation test"). */
-int fmb_sign_of_turn(int k, const double *p, const double *q, const double *r)
-{
-    int i = (k + 1) % 3, j = (k + 2) % 3;
-    double left = (q[i] - p[i]) * (r[j] - p[j]), right = (q[j] - p[j]) * (r[i] - p[i]);
-    double det = left - right, sum = fabs(left) + fabs(right);
-    if (fabs(det) > 0x1p-51 * sum)
-        return det > 0 ? 1 : -1;
-    return sum == 0 ? 0 : exact_turn(i, j, p, q, r);
-}
 
 /* Six times the volume as a double-double, from differences without an error. A product of three
  * goes through two products and three sums, each within 2^-102 of what it adds or multiplies

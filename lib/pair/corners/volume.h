@@ -54,7 +54,19 @@ int fmb_side_of_triangle_plane(const fmb_triangle_plane *h, const double *s);
 
 /* Likewise of det(q - p, r - p, the unit vector k): seen from along axis k, do p, q, r turn left?
  */
-int fmb_sign_of_turn(int k, const double *p, const double *q, const double *r);
+int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double *r);
+
+/* The same by doubles where these tell. The error is at most (3 + 16 e) e times the sum of absolute
+ * values, e = 2^-53 (Shewchuk, "the 2D orientation test"). */
+static inline int fmb_sign_of_turn(int k, const double *p, const double *q, const double *r)
+{
+    int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+    double left = (q[i] - p[i]) * (r[j] - p[j]), right = (q[j] - p[j]) * (r[i] - p[i]);
+    double det = left - right, sum = fabs(left) + fabs(right);
+    if (fabs(det) > 0x1p-51 * sum)
+        return det > 0 ? 1 : -1;
+    return sum == 0 ? 0 : fmb_exact_sign_of_turn(k, p, q, r);
+}
 
 /* Of the volume of the tetrahedron p, q, r, s: of det(q - p, r - p, s - p). */
 static inline int fmb_sign_of_volume(const double *p, const double *q, const double *r,
