@@ -149,23 +149,33 @@ int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double
 
 /* ---- both ------------------------------------------------------------------------------------ */
 
+/* A double-double, and whether it is a double is noted: *rest stays 0 if it is. */
+static lane2 noted(lane2 x, double *rest)
+{
+    *rest += fabs(x.lo);
+    return x;
+}
+
 /* Six times the volume as a double-double, from differences without an error. A product of three
  * goes through two products and three sums, each within 2^-102 of what it adds or multiplies
  * (docs/error-bounds.md): all together within 5 (1 + 2^-99) 2^-102 times the sum of absolute
- * values, which was rounded by less than 2^-49 of itself. */
-static double fine_determinant(fmb_difference u, fmb_difference v, fmb_difference w)
+ * values, which was rounded by less than 2^-49 of itself. What adds or multiplies two doubles has
+ * no error, so if all that arises are doubles (*rest 0), as with short numbers, nothing has one. */
+static double fine_determinant(fmb_difference u, fmb_difference v, fmb_difference w, double *rest)
 {
     lane2 a[3], b[3], c[3], det = lane2_of(0);
+    *rest = 0;
     for (int j = 0; j < 3; j++) {
-        a[j] = two_sum(u.to[j], -u.from[j]);
-        b[j] = two_sum(v.to[j], -v.from[j]);
-        c[j] = two_sum(w.to[j], -w.from[j]);
+        a[j] = noted(two_sum(u.to[j], -u.from[j]), rest);
+        b[j] = noted(two_sum(v.to[j], -v.from[j]), rest);
+        c[j] = noted(two_sum(w.to[j], -w.from[j]), rest);
     }
     for (int k = 0; k < 3; k++) {
         int i = (k + 1) % 3, j = (k + 2) % 3;
-        lane2 left = lane2_times(true, b[i], c[j]), right = lane2_times(true, b[j], c[i]);
-        lane2 part = lane2_times(true, a[k], lane2_subtract(true, left, right));
-        det = lane2_add(true, det, part);
+        lane2 left = noted(lane2_times(true, b[i], c[j]), rest);
+        lane2 right = noted(lane2_times(true, b[j], c[i]), rest);
+        lane2 minor = noted(lane2_subtract(true, left, right), rest);
+        det = noted(lane2_add(true, det, noted(lane2_times(true, a[k], minor), rest)), rest);
     }
     return det.hi;
 }
@@ -173,8 +183,9 @@ static double fine_determinant(fmb_difference u, fmb_difference v, fmb_differenc
 FMB_NEVER_CLONED static int fine_sign(fmb_difference u, fmb_difference v, fmb_difference w,
                                       double sum)
 {
-    double det = fine_determinant(u, v, w);
-    return fabs(det) > 0x1p-99 * sum ? (det > 0 ? 1 : -1) : exact_sign(u, v, w);
+    double rest, det = fine_determinant(u, v, w, &rest);
+    bool told = rest == 0 || fabs(det) > 0x1p-99 * sum;
+    return told ? (det > 0) - (det < 0) : exact_sign(u, v, w);
 }
 
 /* The error is at most (7 + 56 e) e times the same sum of absolute values, e = 2^-53 (Shewchuk,
