@@ -6,14 +6,11 @@
 /* A triangle is flat if no projection of it has an area. */
 bool fmb_cell_is_flat(const fmb_cell *c)
 {
-    static const double zero[3] = {0}, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const double *const *p = c->point;
     if (c->corners == 4)
         return fmb_sign_of_volume(p[0], p[1], p[2], p[3]) == 0;
     int k = 0;
-    while (k < 3 &&
-           fmb_sign_of_determinant((fmb_difference){p[1], p[0]}, (fmb_difference){p[2], p[0]},
-                                   (fmb_difference){unit[k], zero}) == 0)
+    while (k < 3 && fmb_sign_of_turn(k, p[0], p[1], p[2]) == 0)
         k++;
     return k == 3;
 }
@@ -21,8 +18,9 @@ bool fmb_cell_is_flat(const fmb_cell *c)
 bool fmb_cell_is_tame(const fmb_cell *c)
 {
     bool tame = true;
-    for (int k = 0; k < 3 * c->corners; k++)
-        tame &= fmb_is_tame(c->point[k / 3][k % 3]);
+    for (int k = 0; k < c->corners; k++)
+        for (int j = 0; j < 3; j++)
+            tame &= fmb_is_tame(c->point[k][j]);
     return tame;
 }
 
@@ -65,16 +63,22 @@ static bool is_good_cell(const fmb_frame *f)
 bool fmb_decide_corners(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
                         fmb_verdict *out)
 {
-    if (!is_good_cell(p) || !is_good_cell(q) || p->naxes != q->naxes)
+    const fmb_frame *const frame[2] = {p, q};
+    fmb_cell c[2];
+    if (p->naxes != q->naxes)
         return false;
-    fmb_cell a = cell_of_frame(p), b = cell_of_frame(q);
-    if (!fmb_cell_is_tame(&a) || !fmb_cell_is_tame(&b) || fmb_cell_is_flat(&a) ||
-        fmb_cell_is_flat(&b))
-        return false;
-    number_shared_corners(&a, &b);
-    unsigned common = fmb_cell_common(&a, &b);
-    fmb_mesh_how how = a.corners == 3 ? fmb_decide_triangles(&a, &b, common)
-                                      : fmb_decide_tetrahedra(&a, &b, fmb_cell_count(common));
+    for (int i = 0; i < 2; i++) {
+        if (!is_good_cell(frame[i]))
+            return false;
+        c[i] = cell_of_frame(frame[i]);
+        if (!fmb_cell_is_tame(&c[i]) || fmb_cell_is_flat(&c[i]))
+            return false;
+    }
+    number_shared_corners(&c[0], &c[1]);
+    unsigned common = fmb_cell_common(&c[0], &c[1]);
+    fmb_mesh_how how = c[0].corners == 3
+                           ? fmb_decide_triangles(&c[0], &c[1], common)
+                           : fmb_decide_tetrahedra(&c[0], &c[1], fmb_cell_count(common));
     bool meet = contact == FMB_CONTACT_CLOSED ? how != FMB_MESH_APART
                                               : how == FMB_MESH_CROSS || how == FMB_MESH_COPLANAR;
     *out = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;

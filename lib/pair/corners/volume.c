@@ -11,11 +11,6 @@
 
 #include "pair/kernels/lane/double_double.h"
 
-bool fmb_is_tame(double x)
-{
-    return x == 0 || (fabs(x) >= 0x1p-200 && fabs(x) <= 0x1p200);
-}
-
 /* ---- expansions ------------------------------------------------------------------------------ */
 
 /* Append x, unless it is 0. */

@@ -19,7 +19,11 @@ typedef struct fmb_difference {
     const double *to, *from;
 } fmb_difference;
 
-bool fmb_is_tame(double x);
+/* Without branches. */
+static inline bool fmb_is_tame(double x)
+{
+    return (x == 0) | ((fabs(x) >= 0x1p-200) & (fabs(x) <= 0x1p200));
+}
 
 /* -1, 0 or 1, the sign of det(u, v, w); all coordinates are tame. */
 int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w);
