@@ -183,25 +183,22 @@ fmb_status fmb_vec_drop_entry(fmb_vec *v, size_t n, size_t c, fmb_mem *mem)
 
 /* The least entry is the first guess of the divisor: mostly it is 1, or the remainders soon are 0.
  */
-static uint64_t content_of_small(const fmb_vec *v, size_t n)
+void fmb_vec_reduce_small(fmb_vec *v, size_t n)
 {
-    uint64_t g = UINT64_MAX;
+    uint64_t g = UINT64_MAX, all = 0;
     for (size_t i = 0; i < n; i++) { /* 0 counts as the largest */
-        uint64_t a = fmb_abs64(v->s[i]) - 1;
-        g = a < g ? a : g;
+        uint64_t a = fmb_abs64(v->s[i]);
+        all |= a;
+        g = a - 1 < g ? a - 1 : g;
     }
     g++;
     for (size_t i = 0; i < n && g > 1; i++)
         g = fmb_gcd64(g, fmb_abs64(v->s[i]) % g);
-    return g;
-}
-
-void fmb_vec_reduce_small(fmb_vec *v, size_t n)
-{
-    uint64_t g = content_of_small(v, n);
-    if (g > 1)
-        for (size_t i = 0; i < n; i++)
-            v->s[i] /= (int64_t)g;
+    v->bits = fmb_bits64(all);
+    if (g <= 1)
+        return;
+    for (size_t i = 0; i < n; i++)
+        v->s[i] /= (int64_t)g;
     fmb_vec_measure(v, n);
 }
 

@@ -238,8 +238,8 @@ fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label)
     return FMB_OK;
 }
 
-/* Room for a row of n terms, not yet counted in s->rows. */
-static fmb_status open_row(fmb_system *s, size_t n, const int *var, fmb_rel rel, fmb_sysrow **out)
+/* Room for a row of n terms, not yet counted in s->rows, whose variables the caller writes. */
+static fmb_status open_row(fmb_system *s, size_t n, fmb_rel rel, fmb_sysrow **out)
 {
     FMB_TRY(FMB_RESERVE(&s->mem, &s->row, &s->row_capacity, s->rows + 1));
     fmb_sysrow *r = &s->row[s->rows];
@@ -251,16 +251,24 @@ static fmb_status open_row(fmb_system *s, size_t n, const int *var, fmb_rel rel,
         fmb_system_free_row(s, r);
         return why;
     }
-    if (n > 0)
-        memcpy(r->var, var, n * sizeof *var);
     *out = r;
+    return FMB_OK;
+}
+
+/* The same, and its variables. */
+static fmb_status open_row_of(fmb_system *s, size_t n, const int *var, fmb_rel rel,
+                              fmb_sysrow **out)
+{
+    FMB_TRY(open_row(s, n, rel, out));
+    if (n > 0)
+        memcpy((*out)->var, var, n * sizeof *var);
     return FMB_OK;
 }
 
 fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel)
 {
     fmb_sysrow *r = NULL;
-    FMB_TRY(open_row(s, n, var, rel, &r));
+    FMB_TRY(open_row_of(s, n, var, rel, &r));
     fmb_status st = fmb_vec_set_z(&r->val, n + 2, z, &s->mem);
     if (st != FMB_OK)
         fmb_system_free_row(s, r);
@@ -268,26 +276,52 @@ fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, 
     return st;
 }
 
-fmb_status fmb_system_append_dense(fmb_system *s, size_t n, const int *var, const int *place,
-                                   const fmb_vec *row, fmb_rel rel, fmb_mem *mem)
+/* Entry j of dense[n + 1], or its right side, and the denominator behind it. */
+static fmb_status copy_wide_entries(fmb_system *s, fmb_sysrow *r, size_t n, const fmb_vec *dense)
 {
     size_t terms = 0;
-    mpz_t *z = fmb_vec_block(n + 2, mem);
-    int *to = fmb_mem_get(mem, n, sizeof *to);
-    fmb_status st = z && to ? FMB_OK : fmb_mem_status(mem);
-    for (size_t j = 0; st == FMB_OK && j < n; j++) {
-        if (fmb_vec_sgn(row, j) == 0)
-            continue;
-        to[terms] = var ? place[var[j]] : (int)j;
-        fmb_vec_get(row, j, z[terms++]);
-    }
-    if (st == FMB_OK) {
-        fmb_vec_get(row, n, z[terms]);
-        mpz_set_ui(z[terms + 1], 1);
-        st = fmb_system_append(s, terms, to, z, rel);
-    }
-    fmb_vec_block_free(z, n + 2, mem);
-    fmb_mem_put(mem, to, n, sizeof *to);
+    mpz_t *z = fmb_vec_block(r->nnz + 2, &s->mem);
+    if (!z)
+        return fmb_mem_status(&s->mem);
+    for (size_t j = 0; j <= n; j++)
+        if (j == n || fmb_vec_sgn(dense, j) != 0)
+            fmb_vec_get(dense, j, z[terms++]);
+    mpz_set_ui(z[terms], 1);
+    fmb_status st = fmb_vec_set_z(&r->val, r->nnz + 2, z, &s->mem);
+    fmb_vec_block_free(z, r->nnz + 2, &s->mem);
+    return st;
+}
+
+static void copy_small_entries(fmb_sysrow *r, size_t n, const fmb_vec *dense)
+{
+    size_t terms = 0;
+    for (size_t j = 0; j <= n; j++)
+        if (j == n || dense->s[j] != 0)
+            r->val.s[terms++] = dense->s[j];
+    r->val.s[terms] = 1;
+    fmb_vec_measure(&r->val, r->nnz + 2);
+}
+
+fmb_status fmb_system_append_dense(fmb_system *s, size_t n, const int *var, const int *place,
+                                   const fmb_vec *row, fmb_rel rel)
+{
+    fmb_sysrow *r = NULL;
+    fmb_status st = FMB_OK;
+    size_t terms = 0;
+    for (size_t j = 0; j < n; j++)
+        terms += fmb_vec_sgn(row, j) != 0;
+    FMB_TRY(open_row(s, terms, rel, &r));
+    terms = 0;
+    for (size_t j = 0; j < n; j++)
+        if (fmb_vec_sgn(row, j) != 0)
+            r->var[terms++] = var ? place[var[j]] : (int)j;
+    if (row->z)
+        st = copy_wide_entries(s, r, n, row);
+    else
+        copy_small_entries(r, n, row);
+    if (st != FMB_OK)
+        fmb_system_free_row(s, r);
+    s->rows += st == FMB_OK;
     return st;
 }
 
@@ -295,7 +329,7 @@ fmb_status fmb_system_append_small(fmb_system *s, size_t n, const int *var, cons
                                    fmb_rel rel)
 {
     fmb_sysrow *r = NULL;
-    FMB_TRY(open_row(s, n, var, rel, &r));
+    FMB_TRY(open_row_of(s, n, var, rel, &r));
     memcpy(r->val.s, z, (n + 2) * sizeof *z);
     fmb_vec_measure(&r->val, n + 2);
     s->rows++;
@@ -319,7 +353,7 @@ void fmb_system_drop_objective(fmb_system *s)
 fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from)
 {
     fmb_sysrow *r = NULL;
-    FMB_TRY(open_row(to, from->nnz, from->var, from->rel, &r));
+    FMB_TRY(open_row_of(to, from->nnz, from->var, from->rel, &r));
     r->turned = from->turned;
     fmb_status st = fmb_vec_copy(&r->val, &from->val, from->nnz + 2, &to->mem);
     if (st == FMB_OK && from->label && !(r->label = fmb_mem_text(&to->mem, from->label)))

@@ -66,7 +66,7 @@ fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, 
 /* The same of row[n + 1], zeros included: entry j is the coefficient of variable place[var[j]], or
  * of j where var is NULL. Errors: MEMORY, LIMIT. */
 fmb_status fmb_system_append_dense(fmb_system *s, size_t n, const int *var, const int *place,
-                                   const fmb_vec *row, fmb_rel rel, fmb_mem *mem);
+                                   const fmb_vec *row, fmb_rel rel);
 
 /* The same of small integers (num/vec.h). */
 fmb_status fmb_system_append_small(fmb_system *s, size_t n, const int *var, const int64_t *z,

@@ -14,15 +14,18 @@ typedef struct occurrence {
     bool in_equality;
 } occurrence;
 
-/* Count one row for each of its variables. */
+/* Count one row for each of its variables; how long it is only the order by fill asks. */
 static void count_row_occurrences(const fmb_elim *e, const fmb_derived *r, occurrence *c)
 {
-    size_t size = (size_t)fmb_elim_count_variables(e, r);
-    for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1)) {
-        int sign = fmb_vec_sgn(&r->v, (size_t)j);
-        c[j].in_equality |= r->equality;
-        *(sign < 0 ? &c[j].lower : &c[j].upper) += 1;
-        *(sign < 0 ? &c[j].lower_size : &c[j].upper_size) += size;
+    size_t size = e->order == FMB_ORDER_FILL ? (size_t)fmb_elim_count_variables(e, r) : 0;
+    for (size_t w = 0; w < e->var_words; w++) {
+        for (uint64_t left = r->names[w]; left != 0; left &= left - 1) {
+            size_t j = 64 * w + (size_t)__builtin_ctzll(left);
+            bool lower = fmb_vec_sgn(&r->v, j) < 0;
+            c[j].in_equality |= r->equality;
+            *(lower ? &c[j].lower : &c[j].upper) += 1;
+            *(lower ? &c[j].lower_size : &c[j].upper_size) += size;
+        }
     }
 }
 

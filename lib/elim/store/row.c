@@ -23,8 +23,12 @@ static void note_variables_of_row(const fmb_elim *e, fmb_derived *r)
 {
     for (size_t w = 0; w < e->var_words; w++)
         r->names[w] = 0;
-    for (int j = 0; j < e->n; j++)
-        r->names[j / 64] |= (uint64_t)(fmb_vec_sgn(&r->v, (size_t)j) != 0) << (j % 64);
+    if (r->v.z)
+        for (int j = 0; j < e->n; j++)
+            r->names[j / 64] |= (uint64_t)(mpz_sgn(r->v.z[j]) != 0) << (j % 64);
+    else
+        for (int j = 0; j < e->n; j++)
+            r->names[j / 64] |= (uint64_t)(r->v.s[j] != 0) << (j % 64);
 }
 
 void fmb_elim_forget_row(fmb_elim *e, bool keep_history)

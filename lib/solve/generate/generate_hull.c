@@ -8,7 +8,7 @@ static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
 {
     for (size_t i = 0; i < m->facets; i++)
         FMB_TRY(fmb_system_append_dense(out, m->n - 1, NULL, NULL, &m->facet[i].v,
-                                        m->facet[i].equality ? FMB_EQ : FMB_LE, m->run->mem));
+                                        m->facet[i].equality ? FMB_EQ : FMB_LE));
     return FMB_OK;
 }
 

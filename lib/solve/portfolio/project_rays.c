@@ -17,6 +17,7 @@
 #include "lp/oracle/oracle.h"
 #include "solve/portfolio/ray_corners.h"
 #include "solve/prepare/irredundant_rows.h"
+#include "system/system_private.h"
 
 /* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
 struct fmb_ray_projection {
@@ -260,9 +261,9 @@ static fmb_status put_facet(fmb_ray_projection *h, const fmb_image_row *f, mpz_t
     fmb_status st = write_facet_row(h, f, z);
     if (st == FMB_OK && h->of->q->claims)
         st = claim_facet(h, f, rel);
-    return st == FMB_OK
-               ? fmb_query_append_row(h->of->q, h->of->p, &h->facet, rel, h->of->place, h->out)
-               : st;
+    FMB_THEN(st, fmb_system_append_dense(h->out, (size_t)h->of->p->n, h->of->p->var, h->of->place,
+                                         &h->facet, rel));
+    return st;
 }
 
 static fmb_status put_all_facets(fmb_ray_projection *h)

@@ -50,7 +50,8 @@ static fmb_status put_support_row(fmb_queries *h, fmb_support_row *r, fmb_system
     mpz_set(h->z[n], r->z.z[h->k]);
     fmb_status st = fmb_vec_set_z(&h->row, n + 1, h->z, h->q->run.mem);
     FMB_THEN(st, claim_support_row(h, r));
-    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->row, r->rel, h->place, out) : st;
+    FMB_THEN(st, fmb_system_append_dense(out, n, h->p->var, h->place, &h->row, r->rel));
+    return st;
 }
 
 static int compare_support_rows(const void *a, const void *b)

@@ -121,7 +121,7 @@ fmb_status fmb_claimed_rows_append(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, c
 {
     const fmb_vec row = {.z = z};
     FMB_TRY(fmb_system_append_dense(c->image, (size_t)fmb_system_dim(c->image), NULL, NULL, &row,
-                                    rel, c->q->run.mem));
+                                    rel));
     fmb_status st = append_claim(c, z, rel, w);
     if (st != FMB_OK)
         fmb_system_remove(c->image, c->image->rows - 1);

@@ -183,16 +183,10 @@ static fmb_status claim_derived_row(fmb_query *q, const fmb_part *p, const fmb_e
     return st;
 }
 
-fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_vec *row, fmb_rel rel,
-                                const int *place, fmb_system *out)
-{
-    return fmb_system_append_dense(out, (size_t)p->n, p->var, place, row, rel, q->run.mem);
-}
-
 fmb_status fmb_query_put_row(fmb_query *q, const fmb_part *p, const fmb_elim *e, uint32_t r,
                              fmb_rel rel, const fmb_weights *reverse, const int *place,
                              fmb_system *out)
 {
     FMB_TRY(claim_derived_row(q, p, e, r, rel, reverse));
-    return fmb_query_append_row(q, p, &e->row[r].v, rel, place, out);
+    return fmb_system_append_dense(out, (size_t)p->n, p->var, place, &e->row[r].v, rel);
 }

@@ -21,6 +21,7 @@
 
 struct fmb_solver {
     fmb_mem mem;
+    fmb_pool pool; /* of mem */
     fmb_arena arena;
     fmb_options options;
     const fmb_rule *rule[FMB_MAX_RULES];
@@ -185,10 +186,8 @@ fmb_status fmb_query_attach_point(fmb_query *q, fmb_claim *claim, const fmb_part
 
 /* ---- rows of answers ------------------------------------------------------------------------- */
 
-/* Append row[n + 1] of a part, which names kept variables only, to out. */
-fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_vec *row, fmb_rel rel,
-                                const int *place, fmb_system *out);
-/* The same for row r of the store; a claim first, so that no row goes without. reverse as above. */
+/* Append row r of the store, which names kept variables only, to out; a claim first, so that no row
+ * goes without. reverse as above. */
 fmb_status fmb_query_put_row(fmb_query *q, const fmb_part *p, const fmb_elim *e, uint32_t r,
                              fmb_rel rel, const fmb_weights *reverse, const int *place,
                              fmb_system *out);

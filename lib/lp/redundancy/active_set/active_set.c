@@ -313,6 +313,8 @@ static fmb_status test_open_rows(fmb_active_set *s, size_t rows, const size_t *o
 fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to)
 {
     s->paused = false;
+    if (from == to)
+        return FMB_OK;
     FMB_TRY(s->generators == 0 ? activate_first_rows(s) : FMB_OK);
     FMB_TRY(test_open_rows(s, to - from, open + from));
     if (!s->paused && !s->again) {
