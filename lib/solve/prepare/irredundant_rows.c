@@ -7,8 +7,8 @@
 #include "solve/prepare/irredundant_rows.h"
 
 #include "elim/store/derive.h"
-#include "lp/redundancy/active_set/implied.h"
 #include "lp/redundancy/irredundant.h"
+#include "solve/prepare/substituted_rows.h"
 
 /* The rows left. Row k of the oracle is row e->live[k] of the store. */
 typedef struct remains {
@@ -126,7 +126,8 @@ static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, boo
                            .kept = fmb_mem_zero(mem, m, sizeof *sorting.kept),
                            .known = known};
     fmb_status st = sorting.gone && sorting.kept ? FMB_OK : fmb_mem_status(mem);
-    FMB_THEN(st, fmb_lp_sort_rows(&h->q->run, h->p->n, m, h->row, &sorting));
+    FMB_THEN(st, fmb_substituted_rows_sort(&h->q->run, &h->q->v->arena, &h->e->num, (size_t)h->p->n,
+                                           m, h->row, &sorting));
     if (st == FMB_OK)
         apply_sorting(h, &sorting);
     *inner = sorting.inner;

@@ -1,0 +1,156 @@
+/* substituted_rows.c: see substituted_rows.h.
+ *
+ * An inequality plus a multiple of an equality, times a positive number, is satisfied by the same
+ * solutions of the equality. So of the rows after substitution one is implied by others if and only
+ * if that holds before, beside the equalities; and an equality that has become 0 = 0 follows from
+ * those before it. */
+#include "solve/prepare/substituted_rows.h"
+
+#include <string.h>
+
+#include "num/gcd.h"
+
+typedef struct substitution {
+    size_t n, m;
+    const fmb_lp_row *from;
+    fmb_vec *v;      /* [m] the rows, as far as equalities have been substituted */
+    fmb_lp_row *row; /* [rows] the inequalities that still name variables, */
+    size_t *number;  /* and which they are */
+    size_t rows;
+    fmb_sorting *out;
+} substitution;
+
+static bool are_rows_small_with_equality(size_t m, const fmb_lp_row *row)
+{
+    bool any = false;
+    for (size_t i = 0; i < m; i++) {
+        if (fmb_vec_is_wide(row[i].v))
+            return false;
+        any |= row[i].rel == FMB_EQ;
+    }
+    return any;
+}
+
+static fmb_status copy_rows_to_substitute(substitution *t, fmb_arena *arena, fmb_mem *mem)
+{
+    int64_t *entry;
+    FMB_TRY(FMB_ARENA_GET(arena, t->v, t->m));
+    FMB_TRY(FMB_ARENA_GET(arena, t->row, t->m));
+    FMB_TRY(FMB_ARENA_GET(arena, t->number, t->m));
+    FMB_TRY(FMB_ARENA_GET(arena, entry, t->m * (t->n + 1)));
+    for (size_t i = 0; i < t->m; i++) {
+        t->v[i] = (fmb_vec){.s = entry + i * (t->n + 1)};
+        FMB_TRY(fmb_vec_copy(&t->v[i], t->from[i].v, t->n + 1, mem));
+    }
+    return FMB_OK;
+}
+
+/* A column where the row has the least coefficient; n: it has none. */
+static size_t find_pivot(const substitution *t, size_t i)
+{
+    size_t best = t->n;
+    uint64_t least = UINT64_MAX;
+    for (size_t j = 0; j < t->n; j++) {
+        uint64_t size = fmb_abs64(t->v[i].s[j]);
+        if (size > 0 && size < least) {
+            least = size;
+            best = j;
+        }
+    }
+    return best;
+}
+
+/* The variable leaves all rows but equalities that were substituted before. *small false: some
+ * number became long. */
+static fmb_status substitute_equality(substitution *t, size_t i, size_t pivot, fmb_num *num,
+                                      bool *small)
+{
+    for (size_t k = 0; *small && k < t->m; k++) {
+        bool done = k <= i && t->from[k].rel == FMB_EQ;
+        if (done || t->v[k].s[pivot] == 0)
+            continue;
+        FMB_TRY(fmb_vec_cancel(&t->v[k], &t->v[k], &t->v[i], t->n + 1, pivot, num));
+        *small = !fmb_vec_is_wide(&t->v[k]);
+    }
+    return FMB_OK;
+}
+
+/* What becomes of rows that name no variable: they hold, and go, or nothing holds. */
+static void settle_constant_row(substitution *t, size_t i)
+{
+    int64_t b = t->v[i].s[t->n];
+    fmb_rel rel = t->from[i].rel;
+    t->out->gone[i] = true;
+    if (rel == FMB_EQ ? b != 0 : rel == FMB_LT ? b <= 0 : b < 0)
+        t->out->feasible = false;
+}
+
+static fmb_status substitute_all_equalities(substitution *t, fmb_num *num, bool *small)
+{
+    for (size_t i = 0; *small && i < t->m; i++) {
+        size_t pivot = t->from[i].rel == FMB_EQ ? find_pivot(t, i) : t->n;
+        if (pivot < t->n) {
+            t->out->kept[i] = true;
+            FMB_TRY(substitute_equality(t, i, pivot, num, small));
+        } else if (t->from[i].rel == FMB_EQ) {
+            settle_constant_row(t, i);
+        }
+    }
+    return FMB_OK;
+}
+
+static fmb_status list_inequalities(substitution *t, fmb_num *num)
+{
+    for (size_t i = 0; i < t->m; i++) {
+        if (t->from[i].rel == FMB_EQ)
+            continue;
+        FMB_TRY(fmb_vec_reduce(&t->v[i], t->n + 1, num));
+        if (find_pivot(t, i) == t->n) {
+            settle_constant_row(t, i);
+        } else {
+            t->number[t->rows] = i;
+            t->row[t->rows++] = (fmb_lp_row){&t->v[i], t->from[i].rel};
+        }
+    }
+    return FMB_OK;
+}
+
+static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *arena)
+{
+    fmb_sorting some = {.known = t->out->known};
+    FMB_TRY(FMB_ARENA_GET(arena, some.gone, t->rows));
+    FMB_TRY(FMB_ARENA_GET(arena, some.kept, t->rows));
+    memset(some.gone, 0, t->rows * sizeof *some.gone);
+    memset(some.kept, 0, t->rows * sizeof *some.kept);
+    FMB_TRY(fmb_lp_sort_rows(run, (int)t->n, t->rows, t->row, &some));
+    for (size_t k = 0; k < t->rows; k++) {
+        t->out->gone[t->number[k]] = some.gone[k];
+        t->out->kept[t->number[k]] = some.kept[k];
+    }
+    t->out->feasible = some.feasible;
+    t->out->inner = some.inner;
+    return FMB_OK;
+}
+
+fmb_status fmb_substituted_rows_sort(fmb_run *run, fmb_arena *arena, fmb_num *num, size_t n,
+                                     size_t m, const fmb_lp_row *row, fmb_sorting *out)
+{
+    substitution t = {.n = n, .m = m, .from = row, .out = out};
+    bool small = are_rows_small_with_equality(m, row);
+    fmb_status st = FMB_OK;
+    out->feasible = true;
+    if (small) {
+        FMB_TRY(copy_rows_to_substitute(&t, arena, run->mem));
+        st = substitute_all_equalities(&t, num, &small);
+        for (size_t i = 0; (st != FMB_OK || !small) && i < m; i++) {
+            fmb_vec_clear(&t.v[i], n + 1, run->mem);
+            out->gone[i] = out->kept[i] = false;
+        }
+        FMB_TRY(st);
+    }
+    if (!small)
+        return fmb_lp_sort_rows(run, (int)n, m, row, out);
+    FMB_TRY(list_inequalities(&t, num));
+    out->inner = out->feasible && t.rows == 0;
+    return out->feasible && t.rows > 0 ? sort_inequalities(&t, run, arena) : FMB_OK;
+}
