@@ -12,7 +12,7 @@ static const char USAGE[] =
     "usage: bench-peers [--decide | --vertices | --hull] [--drivers A,B] [--seconds S] [--bytes "
     "B]\n"
     "                   [--set NAME=VALUE] [--json FILE] [--quick] [--bars] [--methods]\n"
-    "                   [--all-answer] [--list] [--families] [--seed N] [--each N]\n"
+    "                   [--all-answer] [--list] [--families | --unseen] [--seed N] [--each N]\n"
     "                   FILE... | manifest.txt... | FAMILY:SIZE[:ROWS]...\n";
 
 typedef struct setup {
@@ -22,7 +22,7 @@ typedef struct setup {
     bool quick, list, all_answer, bars, methods;
     char **path; /* problems, owned */
     size_t paths;
-    bool families; /* draw problems of them */
+    bool families, unseen; /* draw problems of them; of those that no choice of ways has seen */
     uint64_t seed, each;
 } setup;
 
@@ -159,7 +159,9 @@ static bool run_path(setup *s, const char *path)
 /* Each family under so many seeds. */
 static void run_families(setup *s)
 {
-    for (int f = 0; f < study_projections(); f++) {
+    int known = study_projections(), seen = known + study_projections_apart();
+    int from = s->unseen ? seen : 0, to = s->unseen ? seen + study_projections_unseen() : known;
+    for (int f = from; f < to; f++) {
         for (uint64_t seed = s->seed; seed < s->seed + s->each; seed++) {
             study_projection drawn;
             problem p;
@@ -231,6 +233,8 @@ static bool take_arguments(setup *s, int argc, char **argv)
             s->methods = true;
         else if (strcmp(a, "--families") == 0)
             s->families = true;
+        else if (strcmp(a, "--unseen") == 0)
+            s->families = s->unseen = true;
         else if (a[0] == '-') {
             if (i + 1 >= argc || !take_value(s, a, argv[i + 1]))
                 return false;

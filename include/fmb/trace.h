@@ -54,7 +54,7 @@ typedef struct fmb_attempt {
                           on when it is asked again; "unsuitable": it saw that it is none for this;
                           "limit" of the query */
     uint64_t spent;    /* steps that it has taken so far, where it is one that pauses; else 0 */
-    uint64_t left;     /* steps that it thought it would need yet, when it was asked; 0: no idea */
+    uint64_t left;     /* steps that it is expected to take yet; 0: no idea */
 } fmb_attempt;
 
 /* Something that happened in a query; members that its kind says nothing of are 0 or NULL. */

@@ -20,7 +20,6 @@
 #include "dd/rays.h"
 #include "num/bitset.h"
 #include "trace/run.h"
-#include "trace/trend.h"
 
 /* row.x >= 0, or = 0. */
 typedef struct fmb_cone_row {
@@ -57,7 +56,6 @@ typedef struct fmb_cone {
     size_t next;              /* not carried: rows before it are inserted */
     uint64_t made;            /* rays made so far; wide ones count more */
     struct fmb_insertion *at; /* the one in progress */
-    fmb_trend trend;          /* of work, row by row */
 } fmb_cone;
 
 /* Errors: MEMORY, LIMIT. In any case fmb_cone_clear it. */
@@ -67,9 +65,6 @@ void fmb_cone_clear(fmb_cone *c);
 /* Insert rows until all are, or until that many more rays were made (0: any number), or a slice is
  * over (trace/run.h): *done false, and the next call goes on from there. Errors: MEMORY, LIMIT. */
 fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done);
-
-/* Work that seems to be left; INFINITY where nothing tells. */
-double fmb_cone_left(const fmb_cone *c);
 
 /* Is the row of that bit positive in ray i? */
 static inline bool fmb_cone_is_positive(const fmb_cone *c, size_t i, size_t bit)

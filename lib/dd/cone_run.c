@@ -206,7 +206,6 @@ static fmb_status go_on_with_rows(fmb_cone *c, uint64_t most)
         FMB_TRY(fmb_insertion_run(c, most));
     if (c->at->running)
         return FMB_OK;
-    fmb_trend_end_step(&c->trend, c->run->work);
     return c->of.keep ? drop_carried_row(c, entry - c->coords) : FMB_OK;
 }
 
@@ -215,30 +214,11 @@ fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done)
     uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
     fmb_status st = fmb_run_poll_now(c->run);
     *done = false;
-    fmb_trend_go_on(&c->trend, c->run->work);
     while (st == FMB_OK && is_cone_unfinished(c) && c->made < most &&
            !fmb_run_is_slice_over(c->run)) {
         st = go_on_with_rows(c, most);
         FMB_THEN(st, fmb_run_poll(c->run));
     }
-    fmb_trend_pause(&c->trend, c->run->work);
     *done = st == FMB_OK && !is_cone_unfinished(c);
     return st;
-}
-
-/* Rows in which no ray is negative say nothing. */
-static size_t count_rows_that_cut(const fmb_cone *c)
-{
-    size_t rows = 0;
-    for (size_t k = 0; k < c->lefts; k++)
-        rows += c->negatives[k] > 0;
-    return rows;
-}
-
-double fmb_cone_left(const fmb_cone *c)
-{
-    const fmb_insertion *s = c->at;
-    size_t rows = c->of.keep ? count_rows_that_cut(c) : c->of.m - c->next + s->running;
-    double share = s->running && s->small > 0 ? (double)s->next / (double)s->small : 0;
-    return fmb_trend_left(&c->trend, share, rows);
 }

@@ -75,9 +75,20 @@ static const struct {
     {"grip", "forces that fingers with friction withstand", study_image_grip},
     {"gates", "and and or of numbers between 0 and 1", study_image_gates},
     {"warmth", "power by the hour that keeps rooms warm", study_image_warmth},
+    /* Unseen. */
+    {"fluxes", "exchanges of a network of reactions in balance", study_image_fluxes},
+    {"shifts", "hours of groups that cover a day", study_image_shifts},
+    {"scenarios", "what is made at once, and costs over a tree of events", study_image_scenarios},
+    {"reach", "states that bounded inputs reach, in units of 2^20 and 2^-20", study_image_reach},
+    {"coalitions", "shares that no coalition improves on", study_image_coalitions},
+    {"beliefs", "probabilities at the ends of a chain, by pairs", study_image_beliefs},
+    {"accesses", "elements that a nest of loops touches", study_image_accesses},
+    {"votes", "weights of criteria behind choices, strictly", study_image_votes},
+    {"tolerances", "deviations of parts along chains, in millionths", study_image_tolerances},
+    {"truss", "loads that the bars of a truss bear", study_image_truss},
 };
 
-enum { ALL_FAMILIES = sizeof FAMILY / sizeof *FAMILY, APART = 17, FAMILIES = ALL_FAMILIES - APART };
+enum { UNSEEN = 10, APART = 17, FAMILIES = (int)(sizeof FAMILY / sizeof *FAMILY) - APART - UNSEEN };
 
 /* Seeds are spread as when there were so many families, so that problems stay what they were. */
 enum { SPREAD = 28 };
@@ -90,6 +101,11 @@ int study_projections(void)
 int study_projections_apart(void)
 {
     return APART;
+}
+
+int study_projections_unseen(void)
+{
+    return UNSEEN;
 }
 
 const char *study_projection_name(int family)

@@ -20,6 +20,8 @@ typedef struct study_projection {
 int study_projections(void);
 /* So many more come after these, that no choice of ways was made on: they judge it. */
 int study_projections_apart(void);
+/* And so many after those, that were invented once it was made. */
+int study_projections_unseen(void);
 const char *study_projection_name(int family);
 const char *study_projection_about(int family);
 

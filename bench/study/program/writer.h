@@ -83,5 +83,9 @@ study_family study_image_cuts, study_image_marginals, study_image_recourse, stud
 /* images_later.c: apart, and later than the choice of ways that they judge */
 study_family study_image_frontier, study_image_hedge, study_image_grip, study_image_gates,
     study_image_warmth;
+/* images_unseen.c: later still */
+study_family study_image_fluxes, study_image_shifts, study_image_scenarios, study_image_reach,
+    study_image_coalitions, study_image_beliefs, study_image_accesses, study_image_votes,
+    study_image_tolerances, study_image_truss;
 
 #endif

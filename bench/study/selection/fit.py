@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
-"""Fit the choice among the pipelines of projections to regret, with whole families held out.
+"""Fit the choice among the ways of projections to times, with whole families held out.
 
     fit.py BENCH SOURCE [--seed N] [--each N] [--seconds S] [--data FILE...] [--write]
 
 BENCH is bench-selection, whose lines are data (or those of the FILEs; the first one is written if
-none is there). Needs NumPy. Regret is the logarithm of the time over that of the best method that
-does one thing; a pipeline that was not waited for took half as long again as it was waited for.
+none is there). Needs NumPy. What was not waited for took half as long again as it was waited for.
 
-What is fitted: a sum of trees of questions about features, for each pipeline; the one with the least
-sum is taken. A tree asks the same questions in the same order of every problem, so that the answers
-are the number of a leaf (Kohavi 1994). One after another is grown to what the sum so far leaves of
-the regrets (gradient boosting of squares, Friedman 2001), on seven of ten problems at random.
-Families weigh the same, however many of their problems there are. The report compares that with what
-the library does, on families that a fit has not seen and on families that it has under other seeds;
---write puts the trees of all data into lib/solve/portfolio/selection.c of SOURCE.
+What is fitted: a sum of trees of questions about features, for each of five logarithms: the time of
+the best engine, that of each engine over it, and time with bounded elimination first over time
+without. A tree asks the same questions in the same order of every problem, so that the answers are the number of a
+leaf (Kohavi 1994). One after another is grown to what the sum so far leaves of the logarithms
+(gradient boosting of squares, Friedman 2001), on seven of ten problems at random. Families weigh the
+same, however many of their problems there are. The report puts together from the times of engines
+what turns would take (lib/solve/portfolio/slices.c), beside the best method that does one thing: on
+families that a fit has not seen, and on families that it has under other seeds. --write puts the
+trees of all data into lib/solve/portfolio/selection.c of SOURCE.
 """
 import argparse
 import json
@@ -26,16 +27,21 @@ import zlib
 import numpy
 
 SINGLES = ("elimination", "double description", "support queries")
+ENGINES = ("rays alone", "pruned elimination alone", "queries alone")  # as in selection.h
+BOUNDED = "bounded elimination first"
 LEAST = 1e-5  # [s] less is not told apart
+STEP = 1.5e-9  # [s] that a step of work takes (lib/trace/run.h)
 GROUPS = 11  # of families, one held out at a time
 SEEDS = 4  # one of so many held out at a time
-TREES, QUESTIONS, RATE = 24, 6, 0.3
-CALM = 24.0  # so many problems with regret 0 are added to each leaf
-MOST = 2.3  # regrets above are taken for that
+TREES, QUESTIONS, RATE = 32, 6, 0.25
+CALM = 24.0  # so many problems with residue 0 are added to each leaf
+MOST = 3.3  # logarithms of ratios above are taken for that
+SCALE = numpy.array([0.3, 1, 1, 1, 1])  # of the logarithms, where questions are chosen
 SHARE = 0.7  # of problems that a tree is grown to
 QUANTILES = 31  # thresholds are between so many
-MARKS, PARTS = 256, 32  # of one: features and regrets are whole numbers in selection.c
+MARKS, PARTS = 256, 32  # of one: features and logarithms are whole numbers in selection.c
 NEUTRAL, REACH = "m", 16  # what a leaf says, as a letter, so many before and after that one
+PATIENCE, LONGER, LEAST_SLICE = 4, 1.5, 65536  # as in slices.c
 # Recorded projections are of few families: what their files' names begin with.
 RECORDED = {"rd": "random", "rs": "random", "shannon": "entropy", "col": "practice", "dep": "practice",
             "farkas": "practice", "tile": "practice"}
@@ -51,7 +57,7 @@ def seconds(t):
     return max(LEAST, t if t >= 0 else -1.5 * t)
 
 
-def read(paths, names, arms):
+def read(paths, names):
     """The problems that some method alone has done."""
     problems = []
     for path in paths:
@@ -60,7 +66,7 @@ def read(paths, names, arms):
     for p in problems:
         name_recorded(p)
     return [p for p in problems if any(p["took"][a] >= 0 for a in SINGLES)
-            and all(a in p["took"] for a in arms) and all(n in p["features"] for n in names)]
+            and BOUNDED in p["took"] and all(n in p["features"] for n in names)]
 
 
 def name_recorded(p):
@@ -71,17 +77,37 @@ def name_recorded(p):
         p["seed"] = zlib.crc32(name.encode()) % 1000
 
 
+def unit(f):
+    """[steps] as in selection.c."""
+    return 16 * max(1, f["rows"] * f["coefficients a row"]) * (64 + f["bits of a minor"])
+
+
+def with_bounded_elimination(p, best):
+    """The time with that first over that without; to end no projection takes some time."""
+    ratio = seconds(p["took"][BOUNDED]) / best
+    return ratio if p["answered"][BOUNDED] else max(1, ratio)
+
+
 class Data:
-    def __init__(self, problems, names, arms):
-        best = [min(seconds(p["took"][a]) for a in SINGLES if p["took"][a] >= 0) for p in problems]
-        self.regret = numpy.array([[math.log(seconds(p["took"][a]) / b) for a in arms]
-                                   for p, b in zip(problems, best)])
-        self.auto = numpy.array([math.log(seconds(p["took"]["auto"]) / b)
-                                 for p, b in zip(problems, best)])
+    def __init__(self, problems, names):
+        self.single = numpy.array([min(seconds(p["took"][a]) for a in SINGLES if p["took"][a] >= 0)
+                                   for p in problems])
+        self.auto = numpy.array([seconds(p["took"]["auto"]) for p in problems])
+        self.time = numpy.array([[seconds(p["took"][a]) for a in ENGINES] for p in problems])
+        self.best = self.time.min(1)
+        self.bounded = numpy.array([with_bounded_elimination(p, b) for p, b in zip(problems, self.best)])
+        self.answered = numpy.array([p["answered"][BOUNDED] for p in problems])
+        self.unit = numpy.array([unit(p["features"]) for p in problems])
+        self.told = numpy.c_[numpy.log2(self.best / STEP / self.unit),
+                             numpy.minimum(numpy.log2(self.time / self.best[:, None]), MOST),
+                             numpy.clip(numpy.log2(self.bounded), -MOST, MOST)]
         self.mark = numpy.array([[int(MARKS * rough_logarithm(p["features"][n])) for n in names]
                                  for p in problems])
         self.family = numpy.array([p["family"] for p in problems])
         self.seed = numpy.array([p["seed"] for p in problems])
+
+
+# ---- the fit ------------------------------------------------------------------------------------
 
 
 def weigh(family):
@@ -98,19 +124,16 @@ def find_leaves(questions, mark):
 
 
 def sums_by_leaf(leaf, leaves, of):
-    out = numpy.zeros((leaves, of.shape[1]))
-    numpy.add.at(out, leaf, of)
-    return out
+    return numpy.stack([numpy.bincount(leaf, column, leaves) for column in of.T], 1)
 
 
-def choose_question(mark, leaf, leaves, weighed, thresholds, asked):
+def choose_question(bins, leaf, leaves, weighed, thresholds, asked):
     """By sums over leaves and bins: those of the bins up to a threshold say no."""
     best, most = None, -1
     for feature, above in enumerate(thresholds):
-        bins = len(above) + 1
-        at = leaf * bins + numpy.searchsorted(above, mark[:, feature])
-        s = numpy.stack([numpy.bincount(at, column, leaves * bins) for column in weighed.T], 1)
-        no = s.reshape(leaves, bins, -1).cumsum(1)
+        n = len(above) + 1
+        s = sums_by_leaf(leaf * n + bins[:, feature], leaves * n, weighed)
+        no = s.reshape(leaves, n, -1).cumsum(1)
         yes = no[:, -1:] - no
         explained = sum(((t[:, :, :-1] ** 2).sum(2) / (t[:, :, -1] + CALM)).sum(0)
                         for t in (no[:, :-1], yes[:, :-1]))
@@ -120,48 +143,73 @@ def choose_question(mark, leaf, leaves, weighed, thresholds, asked):
     return best
 
 
-def grow(mark, left, weight, thresholds):
-    """A tree: questions, and what its leaves add [leaves][pipelines], in PARTS."""
-    questions, weighed = [], numpy.c_[left * weight[:, None], weight]
+def grow(mark, bins, left, weight, thresholds):
+    """A tree: questions, and what its leaves add [leaves][logarithms], in PARTS."""
+    left = left * weight[:, None]
+    questions, weighed = [], numpy.c_[left * SCALE, weight]
     for _ in range(QUESTIONS):
         leaf = find_leaves(questions, mark)
-        questions.append(choose_question(mark, leaf, 2 ** len(questions), weighed, thresholds, questions))
-    s = sums_by_leaf(find_leaves(questions, mark), 2**QUESTIONS, weighed)
+        questions.append(choose_question(bins, leaf, 2 ** len(questions), weighed, thresholds, questions))
+    s = sums_by_leaf(find_leaves(questions, mark), 2**QUESTIONS, numpy.c_[left, weight])
     value = RATE * s[:, :-1] / (s[:, -1:] + CALM)
     return questions, numpy.clip(numpy.rint(PARTS * value), -REACH, REACH).astype(int)
 
 
-def fit(mark, regret, family):
-    """What pipelines begin with, in PARTS, and trees."""
-    draw, weight, regret = numpy.random.default_rng(1), weigh(family), numpy.minimum(regret, MOST)
+def fit(mark, told, family):
+    """What logarithms begin with, in PARTS, and trees."""
+    draw, weight = numpy.random.default_rng(1), weigh(family)
     at = numpy.linspace(0, 1, QUANTILES + 1)[1:-1]
     thresholds = [numpy.unique(numpy.quantile(column, at).astype(int)) for column in mark.T]
-    start = numpy.rint(PARTS * numpy.average(regret, 0, weight)).astype(int)
-    told, trees = numpy.tile(start, (len(mark), 1)), []
+    bins = numpy.stack([numpy.searchsorted(t, column) for t, column in zip(thresholds, mark.T)], 1)
+    start = numpy.rint(PARTS * numpy.average(told, 0, weight)).astype(int)
+    so_far, trees = numpy.tile(start, (len(mark), 1)), []
     for _ in range(TREES):
         some = draw.random(len(mark)) < SHARE
-        left = regret - told / PARTS
-        trees.append(grow(mark[some], left[some], weight[some], thresholds))
-        told = told + trees[-1][1][find_leaves(trees[-1][0], mark)]
+        left = told[some] - so_far[some] / PARTS
+        trees.append(grow(mark[some], bins[some], left, weight[some], thresholds))
+        so_far = so_far + trees[-1][1][find_leaves(trees[-1][0], mark)]
     return start, trees
 
 
-def scores(fitted, mark):
+def foretell(fitted, mark):
     start, trees = fitted
-    return start + sum(value[find_leaves(questions, mark)] for questions, value in trees)
+    return (start + sum(value[find_leaves(questions, mark)] for questions, value in trees)) / PARTS
 
 
-def regrets(data, fitted, rows):
-    return data.regret[rows, scores(fitted, data.mark[rows]).argmin(1)]
+# ---- what that costs ----------------------------------------------------------------------------
+
+
+def take_turns(needs, expected):
+    """[steps] until the first engine ends, by slices as in slices.c."""
+    spent = numpy.zeros(len(needs))
+    while True:
+        needed = numpy.maximum(expected, spent / PATIENCE)
+        k = int(needed.argmin())
+        until = LONGER * PATIENCE * numpy.partition(needed, 1)[1]
+        until = max(until, spent[k] + LEAST_SLICE)
+        if until >= needs[k]:
+            return spent.sum() - spent[k] + needs[k]
+        spent[k] = until
+
+
+def costs(data, told, rows):
+    """[s] of problems, with bounded elimination first if it is foretold to pay."""
+    out = numpy.zeros(len(rows))
+    for i, (row, t) in enumerate(zip(rows, told)):
+        turns = STEP * take_turns(data.time[row] / STEP, data.unit[row] * 2 ** (t[0] + t[1:4]))
+        first = data.bounded[row] * data.best[row]
+        out[i] = (turns if t[4] >= 0 else first if data.answered[row]
+                  else turns + first - data.best[row])
+    return out
 
 
 def held_out(data, group):
-    """Regrets by fits to all other groups."""
+    """Regrets by fits to all other groups: logarithms of time over that of the best method."""
     out = numpy.zeros(len(group))
     for g in numpy.unique(group):
-        fitted = fit(data.mark[group != g], data.regret[group != g], data.family[group != g])
+        fitted = fit(data.mark[group != g], data.told[group != g], data.family[group != g])
         rows = numpy.flatnonzero(group == g)
-        out[rows] = regrets(data, fitted, rows)
+        out[rows] = numpy.log(costs(data, foretell(fitted, data.mark[rows]), rows) / data.single[rows])
     return out
 
 
@@ -185,7 +233,7 @@ def names_of(path, macro):
 
 
 def text_of(tree):
-    """The questions, and a letter for each leaf and pipeline, in lines of at most 100 characters."""
+    """The questions, and a letter for each leaf and logarithm, in lines of at most 100 characters."""
     questions, value = tree
     text = "".join(chr(ord(NEUTRAL) + v) for v in value.flat)
     lines = [f'     "{text[k:k + 93]}"' for k in range(0, len(text), 93)]
@@ -197,7 +245,7 @@ def write(path, head, fitted):
     with open(path, encoding="utf-8") as text:
         code = text.read()
     start, trees = fitted
-    table = "\n".join([BEGIN, head, "static const int START[PIPELINE_COUNT] = {"
+    table = "\n".join([BEGIN, head, "static const int START[FORETOLD_COUNT] = {"
                        + ", ".join(map(str, start)) + "};", "static const tree TREE[] = {",
                        *map(text_of, trees), "};", END])
     code = code[:code.index(BEGIN)] + table + code[code.index(END) + len(END):]
@@ -221,8 +269,7 @@ def main():
                            stdout=out, check=True)
     path = os.path.join(a.source, "lib/solve/portfolio/selection.c")
     names = names_of(os.path.join(a.source, "lib/solve/prepare/features.h"), "F")
-    arms = names_of(path, "P")
-    data = Data(read(a.data, names, arms), names, arms)
+    data = Data(read(a.data, names), names)
     commit = subprocess.run(["git", "-C", a.source, "rev-parse", "--short", "HEAD"],
                             capture_output=True, text=True, check=False).stdout.strip()
     families = numpy.unique(data.family)
@@ -232,15 +279,15 @@ def main():
             f"{data.seed.max()}, ways as of commit {commit}.")
     print(what + "\n\n| choice | geometric mean | 95 % | over 2x, % | over 3x, % | worst |\n"
           "|---|---|---|---|---|---|")
-    line("as it was", data.auto)
-    line("best pipeline", data.regret.min(1))
+    line("as it was", numpy.log(data.auto / data.single))
+    line("best engine", numpy.log(data.best / data.single))
     unseen, seen = held_out(data, group), held_out(data, data.seed % SEEDS)
     line("families held out", unseen)
     line("families seen, other seeds", seen)
     if a.write:
         write(path, f"/* {what}\n * Time over that of the best method alone: "
               f"{math.exp(seen.mean()):.3f} on families seen, {math.exp(unseen.mean()):.3f} on others. */",
-              fit(data.mark, data.regret, data.family))
+              fit(data.mark, data.told, data.family))
 
 
 main()

@@ -1,9 +1,9 @@
 /* main.c: how long each way of a projection takes on problems of all families, with what the
  * problems are like: a JSON object a line, which fit.py reads. See ../../README.md.
  *
- * An arm is a method, or the portfolio with one of its pipelines. All arms of a problem run one
- * after another in this process, on its own processor time; one that takes longer than the limit
- * is minus that.
+ * An arm is a method, or an engine of the portfolio, or the best of those behind bounded
+ * elimination. All arms of a problem run one after another in this process, on its own processor
+ * time; one that takes longer than the limit is minus that.
  */
 #define _DEFAULT_SOURCE /* setitimer */
 #include <inttypes.h>
@@ -19,6 +19,7 @@
 
 #include "../../peers/problem.h"
 #include "base/clock.h"
+#include "base/ways.h"
 #include "simulate.h"
 #include "solve/portfolio/selection.h"
 #include "solve/prepare/features.h"
@@ -26,8 +27,8 @@
 #include "study/program/projection.h"
 
 static const char USAGE[] =
-    "usage: bench-selection [--seed N] [--each N] [--seconds S] [--arms auto|singles|pipelines]\n"
-    "                       [--families known|apart|all] [--more N] [FILE...]\n"
+    "usage: bench-selection [--seed N] [--each N] [--seconds S] [--arms auto|singles|engines]\n"
+    "                       [--families known|apart|unseen|all] [--more N] [FILE...]\n"
     "Projections of families, N seeds of each, where so many more variables stay than usual,\n"
     "and of files; 0 seconds: features alone.\n";
 
@@ -48,22 +49,49 @@ static const struct {
               {"double description", FMB_METHOD_DD},
               {"support queries", FMB_METHOD_HULL}};
 
-enum { SINGLES = sizeof SINGLE / sizeof *SINGLE, MOST_ARMS = 64 };
+/* Then each engine that takes turns, alone; then the best of them behind bounded elimination. */
+static const char *const MORE[] = {
+    [FMB_ENGINE_RAYS] = "rays alone",
+    [FMB_ENGINE_ELIMINATION] = "pruned elimination alone",
+    [FMB_ENGINE_QUERIES] = "queries alone",
+    "bounded elimination first",
+};
 
-/* Those, and then pipelines. */
+enum { SINGLES = sizeof SINGLE / sizeof *SINGLE, BOUNDED = SINGLES + FMB_ENGINES, MOST_ARMS };
+
 static int count_arms(const setup *u)
 {
-    int n = 0;
-    if (u->choice || u->singles)
-        return u->choice ? 1 : SINGLES;
-    while (fmb_selection_name(n))
-        n++;
-    return SINGLES + n;
+    return u->choice ? 1 : u->singles ? SINGLES : MOST_ARMS;
 }
 
 static const char *name_of_arm(int arm)
 {
-    return arm < SINGLES ? SINGLE[arm].name : fmb_selection_name(arm - SINGLES);
+    return arm < SINGLES ? SINGLE[arm].name : MORE[arm - SINGLES];
+}
+
+#define STEP 1.5e-9 /* [s] that a step of work takes */
+
+/* The engine that ended first, or the first one. */
+static int find_best_engine(const double *took)
+{
+    int best = SINGLES;
+    for (int arm = SINGLES; arm < BOUNDED; arm++)
+        if (took[arm] >= 0 && (took[best] < 0 || took[arm] < took[best]))
+            best = arm;
+    return best - SINGLES;
+}
+
+/* What the library would choose if it knew that. Bounded elimination may take as long as the best
+ * engine (lib/trace/run.h). */
+static fmb_choice choice_of_arm(int arm, const double *took)
+{
+    int engine = arm < BOUNDED ? arm - SINGLES : find_best_engine(took);
+    fmb_choice c = {.recession = false};
+    if (arm == BOUNDED)
+        c.bounded = 1 + (uint64_t)(fabs(took[SINGLES + engine]) / STEP);
+    for (int k = 0; k < FMB_ENGINES; k++)
+        c.work[k] = k == engine ? 1 : INFINITY;
+    return c;
 }
 
 /* Of the largest part that was heard of. */
@@ -155,13 +183,14 @@ static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int
 #define AS_GOOD    1.1
 #define LEAST_WAIT 0.01 /* [s] */
 
-static double time_arm(int arm, const fmb_system *s, const int *keep, int kept, double seconds)
+static double time_arm(int arm, const fmb_choice *c, const fmb_system *s, const int *keep, int kept,
+                       double seconds)
 {
     fmb_options o = {.size = sizeof o, .evidence = FMB_EVIDENCE_NONE};
     fmb_solver *v;
     if (arm < SINGLES)
         o.method = SINGLE[arm].method;
-    fmb_selection_forced = arm < SINGLES ? -1 : arm - SINGLES;
+    fmb_selection_forced = arm < SINGLES ? NULL : c;
     if (fmb_solver_new(&o, NULL, &v) != FMB_OK)
         fail("no memory");
     double least = time_once(v, s, keep, kept, seconds), total = least;
@@ -191,22 +220,40 @@ static double limit_behind(const setup *u, double least)
     return fmin(limit, u->seconds);
 }
 
-/* took[arm]: [s], or minus the time after which it was not waited for. */
+typedef struct arm_times {
+    double took[MOST_ARMS]; /* [s], or minus the time after which it was not waited for */
+    bool bounded;           /* bounded elimination answered */
+} arm_times;
+
 static void time_arms(const setup *u, const fmb_system *s, const int *keep, int kept, heard *h,
-                      double *took)
+                      arm_times *t)
 {
+    const unsigned long long *answered = &fmb_ways_at_hand->answered[FMB_WAY_BOUNDED_GROWTH];
+    double *took = t->took;
     double least = u->seconds;
     fmb_features_watch = (fmb_features_watcher){hear_part, h};
-    (void)time_arm(0, s, keep, kept, u->seconds > 0 ? u->seconds : LEAST_WAIT);
+    (void)time_arm(0, NULL, s, keep, kept, u->seconds > 0 ? u->seconds : LEAST_WAIT);
     fmb_features_watch = (fmb_features_watcher){NULL, NULL};
     for (int arm = 0; h->any && u->seconds > 0 && arm < count_arms(u); arm++) {
         double limit = limit_behind(u, least);
-        took[arm] = time_arm(arm, s, keep, kept, limit);
+        fmb_choice c = arm < SINGLES ? (fmb_choice){.bounded = 0} : choice_of_arm(arm, took);
+        unsigned long long before = *answered;
+        took[arm] = time_arm(arm, &c, s, keep, kept, limit);
+        t->bounded = c.bounded > 0 && *answered > before;
         if (took[arm] < 0)
             took[arm] = -limit;
         else if (took[arm] < least)
             least = took[arm];
     }
+}
+
+static void print_times(const setup *u, const arm_times *t)
+{
+    for (int arm = 0; arm < count_arms(u); arm++)
+        printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(arm), t->took[arm]);
+    if (count_arms(u) == MOST_ARMS)
+        printf("}, \"answered\": {\"%s\": %s", name_of_arm(BOUNDED), t->bounded ? "true" : "false");
+    putchar('}');
 }
 
 /* What no way is chosen for is left out. Takes over s. */
@@ -215,19 +262,19 @@ static void study_problem(const setup *u, const char *family, int digits, uint64
 {
     int *keep = malloc((size_t)kept * sizeof *keep + 1);
     heard h = {.any = false};
-    double took[MOST_ARMS];
+    arm_times t = {.bounded = false};
     if (!keep)
         fail("no memory");
     for (int k = 0; k < kept; k++)
         keep[k] = k;
-    time_arms(u, s, keep, kept, &h, took);
+    time_arms(u, s, keep, kept, &h, &t);
     if (h.any) {
         printf("{\"family\": \"%s\", \"digits\": %d, \"seed\": %" PRIu64 ", \"limit\": %g, ",
                family, digits, seed, u->seconds);
         print_features(&h);
-        for (int arm = 0; u->seconds > 0 && arm < count_arms(u); arm++)
-            printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(arm), took[arm]);
-        puts(u->seconds > 0 ? "}}" : "}");
+        if (u->seconds > 0)
+            print_times(u, &t);
+        puts("}");
         fflush(stdout);
     }
     free(keep);
@@ -268,7 +315,8 @@ static void study_file(const setup *u, const char *path)
 
 static bool take_option(setup *u, const char *option, const char *value)
 {
-    int known = study_projections(), all = known + study_projections_apart();
+    int known = study_projections(), apart = known + study_projections_apart();
+    int all = apart + study_projections_unseen();
     if (strcmp(option, "--seed") == 0)
         return u->first = strtoull(value, NULL, 10), true;
     if (strcmp(option, "--each") == 0)
@@ -280,8 +328,8 @@ static bool take_option(setup *u, const char *option, const char *value)
     if (strcmp(option, "--arms") == 0)
         return u->singles = strcmp(value, "singles") == 0, u->choice = strcmp(value, "auto") == 0,
                true;
-    u->from = strcmp(value, "apart") == 0 ? known : 0;
-    u->to = strcmp(value, "known") == 0 ? known : all;
+    u->from = strcmp(value, "apart") == 0 ? known : strcmp(value, "unseen") == 0 ? apart : 0;
+    u->to = strcmp(value, "known") == 0 ? known : strcmp(value, "apart") == 0 ? apart : all;
     return strcmp(option, "--families") == 0;
 }
 

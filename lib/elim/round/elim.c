@@ -1,7 +1,6 @@
 /* elim.c: the rounds; see elim.h. */
 #include "elim/round/elim.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/ways.h"
@@ -200,7 +199,6 @@ static void close_round(fmb_elim *e, int var)
 {
     const fmb_tally *before = &e->at.before;
     fmb_tally after = take_tally(e);
-    e->at.made = after.made - before->made;
     uint64_t kept = 0;
     for (size_t i = after.live; i-- > 0 && e->live.row[i] >= before->rows;)
         kept++;
@@ -247,17 +245,6 @@ static fmb_status end_round(fmb_elim *e)
     if (e->clash == FMB_NO_ROW && round->rows > 1 && is_time_for_rules(e))
         st = let_rules_end_round(e, round->var);
     close_round(e, round->var);
-    if (round->rows > 1 && !round->equality && !e->at.pruning)
-        fmb_trend_end_step(&e->trend, e->run->work);
-    return st;
-}
-
-/* The end of a round, at which the last call paused. */
-static fmb_status go_on_with_pruning(fmb_elim *e)
-{
-    fmb_status st = let_rules_end_round(e, -1);
-    if (!e->at.pruning)
-        fmb_trend_end_step(&e->trend, e->run->work);
     return st;
 }
 
@@ -335,7 +322,7 @@ static fmb_status go_on_with_variables(fmb_elim *e, const bool *drop)
         if (fmb_elim_is_slice_over(e))
             return FMB_LIMIT;
         if (e->at.pruning) {
-            st = go_on_with_pruning(e);
+            st = let_rules_end_round(e, -1);
             continue;
         }
         st = choose_next_variable(e, drop, &var);
@@ -351,36 +338,9 @@ static fmb_status go_on_with_variables(fmb_elim *e, const bool *drop)
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
 {
     fmb_status st = fmb_run_poll_now(e->run);
-    fmb_trend_go_on(&e->trend, e->run->work);
     e->paused = false;
     FMB_THEN(st, go_on_with_variables(e, drop));
-    fmb_trend_pause(&e->trend, e->run->work);
     return st;
-}
-
-/* Of the variables that are to go and stand in live rows with both signs: how many, and how many
- * pairs the one with fewest makes. */
-static size_t count_variables_to_go(const fmb_elim *e, const bool *drop, double *fewest)
-{
-    size_t n = 0;
-    for (int j = 0; j < e->n; j++) {
-        if (!drop[j] || !stands_with_both_signs(e, j))
-            continue;
-        double pairs = fmb_elim_pairs(e, j);
-        *fewest = n++ == 0 || pairs < *fewest ? pairs : *fewest;
-    }
-    return n;
-}
-
-/* Nearly all of the work of a round is pruning what it made. */
-double fmb_elim_left(const fmb_elim *e, const bool *drop)
-{
-    double pairs = 1;
-    size_t n = count_variables_to_go(e, drop, &pairs);
-    fmb_trend t = e->trend;
-    if (e->at.made > 0 && !e->at.running && n > 0)
-        t.growth = log(pairs / (double)e->at.made);
-    return fmb_trend_left(&t, e->at.pruning ? e->at.pruned : 0, n + e->at.pruning);
 }
 
 fmb_status fmb_elim_prune(fmb_elim *e)

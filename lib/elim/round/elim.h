@@ -30,7 +30,5 @@ fmb_status fmb_elim_prune(fmb_elim *e);
 /* Eliminate all variables with drop[var], in the engine's order, until done, a row clashes or, if
  * the store is so set, what comes next is not cheap; or until it pauses. */
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop);
-/* Paused: work that seems to be left; INFINITY where nothing tells. */
-double fmb_elim_left(const fmb_elim *e, const bool *drop);
 
 #endif

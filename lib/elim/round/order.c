@@ -78,12 +78,6 @@ double fmb_elim_growth(const fmb_elim *e, int var)
     return c.in_equality ? 0 : cost_in_pairs(&c);
 }
 
-double fmb_elim_pairs(const fmb_elim *e, int var)
-{
-    occurrence c = count_occurrences(e, var);
-    return (double)c.lower * (double)c.upper;
-}
-
 /* The variables with drop[var] that are not eliminated yet, in order. The list is in place of marks
  * of those that are. */
 static size_t list_candidates(fmb_elim *e, const bool *drop)

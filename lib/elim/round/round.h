@@ -8,8 +8,6 @@
 fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var);
 /* How many more rows pairs make than go with the variable; 0 where it stands in an equality. */
 double fmb_elim_growth(const fmb_elim *e, int var);
-/* Pairs of rows that name it with opposite signs. */
-double fmb_elim_pairs(const fmb_elim *e, int var);
 
 /* base.c: the box is made, rows go that it or a rule refutes, and live rows become their own
  * histories: the i-th live row is base row i. */

@@ -113,8 +113,7 @@ fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
     r->strict = a->strict || b->strict;
     r->equality = a->equality && b->equality;
     fmb_status st = fmb_vec_cancel(&r->v, &a->v, &b->v, (size_t)e->n + 1, (size_t)var, &e->num);
-    e->wide += st == FMB_OK && fmb_vec_is_wide(&r->v);
-    if (st == FMB_OK && e->budget > 0 && e->rows + e->wide_more * e->wide >= e->budget) {
+    if (st == FMB_OK && e->budget > 0 && e->rows >= e->budget) {
         e->over_budget = true;
         st = FMB_LIMIT;
     }

@@ -20,7 +20,6 @@
 #include "num/bitset.h"
 #include "num/vec.h"
 #include "trace/run.h"
-#include "trace/trend.h"
 
 #define FMB_NO_ROW    UINT32_MAX
 #define FMB_MAX_RULES 16
@@ -59,12 +58,10 @@ typedef struct fmb_tally {
 typedef struct fmb_pairing {
     bool running, pruning;          /* paused among its pairs; or while a rule looks at all rows, */
     int pruner;                     /* which is this worker, */
-    double pruned;                  /* and it is through with so much of that, */
-    void *look;                     /* which it keeps here, */
+    void *look;                     /* which keeps what it knows here, */
     void (*close_look)(void *look); /* to be closed so by fmb_elim_clear */
     size_t lowers, next;
     fmb_tally before;
-    uint64_t made; /* rows that the last round made */
 } fmb_pairing;
 
 /* A growing list of rows. */
@@ -133,13 +130,10 @@ typedef struct fmb_elim {
     size_t flat;
     size_t judged;    /* rows that rules saw at the end of a round are before it */
     size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */
-    size_t wide;      /* rows made of numbers longer than a word */
-    size_t wide_more; /* so many more rows is each of those for the budget: set it after init */
     bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
     bool pauses;      /* where a slice of the run is over, it ends with FMB_LIMIT, */
     bool paused;      /* and the next call goes on from there: set the former after init */
     fmb_pairing at;   /* the round on its way */
-    fmb_trend trend;  /* of work, variable by variable */
 
     bool based;                /* the live rows' histories are valid */
     bool broken;               /* in this round a rule refused pairs or rows that they count on */

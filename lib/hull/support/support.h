@@ -127,7 +127,4 @@ fmb_status fmb_support_keep_images(fmb_support *s);
  * more.) What is proved stays so, whatever ends the call; but after an error it is the last one. */
 fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done);
 
-/* Facets of the hull of which it is not known yet whether they stand. */
-size_t fmb_support_open_facets(const fmb_support *s);
-
 #endif

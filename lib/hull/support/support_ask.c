@@ -147,11 +147,3 @@ fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done)
     s->ended = st != FMB_OK;
     return st;
 }
-
-size_t fmb_support_open_facets(const fmb_support *s)
-{
-    size_t open = 0;
-    for (size_t i = 0; i < s->hull.slots; i++)
-        open += s->hull.facet[i].alive && s->hull.facet[i].note == FMB_FACET_OPEN;
-    return open;
-}

@@ -26,9 +26,6 @@ typedef struct part_elimination {
 
 /* What one variable may make, as a share of the rows. */
 #define MOST_GROWTH 0.25
-/* Rows of long numbers are pruned so slowly that few of them may be made before other ways are
- * taken. */
-#define WIDE_MORE 3
 
 /* ---- by elimination -------------------------------------------------------------------------- */
 
@@ -39,8 +36,7 @@ static bool has_rows_in_plenty(const fmb_part *p)
     return p->m >= 64 && p->m / 8 >= (size_t)p->n;
 }
 
-/* budget > 0: the store may not outgrow it. */
-static fmb_status eliminate_columns_that_go(part_elimination *h, bool feasible, size_t budget)
+static fmb_status eliminate_columns_that_go(part_elimination *h, bool feasible)
 {
     fmb_query *q = h->q;
     bool *drop;
@@ -48,8 +44,6 @@ static fmb_status eliminate_columns_that_go(part_elimination *h, bool feasible, 
     for (int j = 0; j < h->p->n; j++)
         drop[j] = h->place[h->p->var[j]] < 0;
     fmb_status st = fmb_query_load(q, h->p, feasible, &h->e);
-    h->e.budget = budget;
-    h->e.wide_more = WIDE_MORE;
     if (st == FMB_OK && feasible && has_rows_in_plenty(h->p))
         st = fmb_elim_prune(&h->e);
     return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
@@ -77,10 +71,10 @@ static fmb_status put_rows_of_elimination(part_elimination *h, fmb_elim *e, fmb_
     return saved != FMB_OK ? saved : st;
 }
 
-static fmb_status project_by_elimination(part_elimination *h, bool known, size_t budget,
-                                         bool *feasible, bool *done)
+static fmb_status project_by_elimination(part_elimination *h, bool known, bool *feasible,
+                                         bool *done)
 {
-    fmb_status st = eliminate_columns_that_go(h, known, budget);
+    fmb_status st = eliminate_columns_that_go(h, known);
     st = put_rows_of_elimination(h, &h->e, st, known, feasible, done);
     fmb_elim_clear(&h->e);
     return st;
@@ -104,12 +98,6 @@ static bool uses_lp_rule(const fmb_solver *v)
     return false;
 }
 
-/* A hull in so many dimensions mostly has few enough facets. */
-#define FEW_KEPT 6
-
-/* Engines that take turns. */
-enum { ENGINE_RAYS, ENGINE_ELIMINATION, ENGINE_QUERIES };
-
 /* A part, and what has been found out about it. */
 typedef struct part_run {
     fmb_query *q;
@@ -130,13 +118,12 @@ static bool is_answered(const part_run *r)
     return r->done || !*r->feasible;
 }
 
-/* budget 0: to the end. */
-static void tell_attempt(part_run *r, const char *engine, uint64_t budget, const char *unit,
-                         fmb_status st)
+/* budget [steps] 0: to the end. */
+static void tell_attempt(part_run *r, const char *engine, uint64_t budget, fmb_status st)
 {
     fmb_attempt a = fmb_query_attempt(r->q, r->part, engine, "projection");
     a.budget = budget;
-    a.unit = unit;
+    a.unit = budget > 0 ? "steps" : NULL;
     fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
 }
 
@@ -149,16 +136,16 @@ static part_elimination elimination_of_run(const part_run *r)
                               .e.run = &r->q->run};
 }
 
-static fmb_status try_elimination(part_run *r, bool known, size_t budget)
+static fmb_status try_elimination(part_run *r, bool known)
 {
     part_elimination h = elimination_of_run(r);
-    fmb_status st = project_by_elimination(&h, known, budget, r->feasible, &r->done);
-    tell_attempt(r, "elimination", budget, "rows", st);
+    fmb_status st = project_by_elimination(&h, known, r->feasible, &r->done);
+    tell_attempt(r, "elimination", 0, st);
     return st;
 }
 
 /* Nothing that names variables that go may be left of the projection. */
-static fmb_status try_recession(part_run *r, uint64_t budget)
+static fmb_status try_recession(part_run *r)
 {
     part_elimination h = elimination_of_run(r);
     bool recedes;
@@ -166,7 +153,7 @@ static fmb_status try_recession(part_run *r, uint64_t budget)
     fmb_status st = fmb_recession_drop_rows(e, r->reduced.drop, &r->q->v->arena, &recedes);
     if (st == FMB_OK && recedes)
         st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
-    tell_attempt(r, "recession direction", budget, NULL, st);
+    tell_attempt(r, "recession direction", 0, st);
     return st;
 }
 
@@ -179,31 +166,32 @@ static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
     return FMB_LIMIT;
 }
 
-/* Go on where the cheap variables are gone, and come back if a variable makes too many rows, or if
- * there are too many rows. Trials: budgets of FMB_TRIAL_BUDGET rows. */
-static fmb_status try_bounded_elimination(part_run *r, uint64_t trials)
+/* Go on where the cheap variables are gone, and come back if a variable makes too many rows, if
+ * there are too many rows, or after so much work; 0: any. */
+static fmb_status try_bounded_elimination(part_run *r, uint64_t budget)
 {
     part_elimination h = elimination_of_run(r);
     fmb_elim *e = &r->reduced.e;
+    fmb_run *run = &r->q->run;
     fmb_mark mark;
     if (!fmb_mark_possible(e))
         return FMB_OK;
     FMB_TRY(fmb_mark_set(&mark, e));
-    size_t budget = e->rows + (size_t)trials * FMB_TRIAL_BUDGET(e->live.size);
     e->order = h.q->v->options.order;
     e->chooser = h.q->v->chooser;
     e->cheap_only = false;
     e->growth = MOST_GROWTH;
     e->flat = e->live.size;
-    e->wide_more = WIDE_MORE;
-    e->budget = budget;
+    e->pauses = true;
+    run->slice_end = budget > 0 ? run->work + budget : 0;
     fmb_status st = fmb_elim_eliminate(e, r->reduced.drop);
+    run->slice_end = 0;
     st = expect_few_rows(e, st, r->features.kept);
     st = put_rows_of_elimination(&h, e, st, false, r->feasible, &r->done);
     if (st == FMB_OK && !r->done)
         fmb_mark_return(&mark, e);
     e->over_budget = false;
-    tell_attempt(r, "bounded elimination", budget, "rows", st);
+    tell_attempt(r, "bounded elimination", budget, st);
     return st;
 }
 
@@ -231,19 +219,9 @@ static fmb_status go_on_with_rays(part_run *r)
     return fmb_ray_projection_run(r->rays, r->out, r->feasible, &r->done);
 }
 
-static double rays_left(const part_run *r)
-{
-    return r->rays ? fmb_ray_projection_left(r->rays) : INFINITY;
-}
-
 static fmb_status go_on_with_queries(part_run *r)
 {
     return fmb_queries_run(r->queries, r->out, &r->done);
-}
-
-static double queries_left(const part_run *r)
-{
-    return r->queries ? fmb_queries_left(r->queries) : INFINITY;
 }
 
 /* Of all that the part is made of, with the rule that asks the oracle. */
@@ -264,22 +242,21 @@ static fmb_status go_on_with_elimination(part_run *r)
     return put_rows_of_elimination(&r->e, &r->e.e, st, true, r->feasible, &r->done);
 }
 
-static double elimination_left(const part_run *r)
-{
-    return r->e.q ? fmb_elim_left(&r->e.e, r->reduced.drop) : INFINITY;
-}
-
 static const struct engine {
     const char *name;
     fmb_status (*open)(part_run *); /* unless it is */
     fmb_status (*go_on)(part_run *);
-    double (*left)(const part_run *);
-} ENGINE[FMB_MOST_ENGINES] = {
-    [ENGINE_RAYS] = {"double description", open_rays, go_on_with_rays, rays_left},
-    [ENGINE_ELIMINATION] = {"elimination", open_elimination, go_on_with_elimination,
-                            elimination_left},
-    [ENGINE_QUERIES] = {"support queries", open_queries, go_on_with_queries, queries_left},
+    int way; /* its switch; FMB_WAY_COUNT: none */
+} ENGINE[] = {
+    [FMB_ENGINE_RAYS] = {"double description", open_rays, go_on_with_rays, FMB_WAY_RAYS},
+    [FMB_ENGINE_ELIMINATION] = {"elimination", open_elimination, go_on_with_elimination,
+                                FMB_WAY_PRUNED},
+    [FMB_ENGINE_QUERIES] = {"support queries", open_queries, go_on_with_queries, FMB_WAY_COUNT},
 };
+
+_Static_assert(sizeof ENGINE / sizeof *ENGINE == FMB_ENGINES &&
+                   (size_t)FMB_ENGINES <= (size_t)FMB_MOST_ENGINES,
+               "all engines take turns");
 
 static void tell_slice(part_run *r, size_t k, uint64_t slice, fmb_status st)
 {
@@ -289,7 +266,7 @@ static void tell_slice(part_run *r, size_t k, uint64_t slice, fmb_status st)
     a.unit = "steps";
     a.ended = e->over ? "unsuitable" : "paused";
     a.spent = e->spent;
-    a.left = isfinite(e->left) ? (uint64_t)e->left : 0;
+    a.left = e->expected > (double)e->spent ? (uint64_t)(e->expected - (double)e->spent) : 0;
     fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
 }
 
@@ -303,79 +280,49 @@ static fmb_status run_engine(part_run *r, size_t k, uint64_t slice)
     if (is_open(st, r))
         st = ENGINE[k].go_on(r);
     run->slice_end = 0;
-    fmb_slices_note(&r->slices, k, run->work - before);
-    r->slices.engine[ENGINE_RAYS].over = r->rays && fmb_ray_projection_has_given_up(r->rays);
+    r->slices.engine[k].spent += run->work - before;
+    r->slices.engine[FMB_ENGINE_RAYS].over |= r->rays && fmb_ray_projection_has_given_up(r->rays);
     tell_slice(r, k, slice, st);
     return st;
 }
 
-/* ---- pipelines ------------------------------------------------------------------------------- */
+/* ---- all of them ----------------------------------------------------------------------------- */
 
-static fmb_status run_rays(part_run *r, uint64_t slice)
+static fmb_status take_first_steps(part_run *r, const fmb_choice *c)
 {
-    return run_engine(r, ENGINE_RAYS, slice);
-}
-
-static fmb_status run_elimination(part_run *r, uint64_t slice)
-{
-    return run_engine(r, ENGINE_ELIMINATION, slice);
-}
-
-static fmb_status run_queries(part_run *r, uint64_t slice)
-{
-    return run_engine(r, ENGINE_QUERIES, slice);
-}
-
-static const struct step_way {
-    fmb_status (*take)(part_run *, uint64_t budget);
-    int way; /* its switch; FMB_WAY_COUNT: none */
-} STEP[FMB_STEPS] = {
-    [FMB_STEP_RECESSION] = {try_recession, FMB_WAY_RECESSION},
-    [FMB_STEP_BOUNDED] = {try_bounded_elimination, FMB_WAY_BOUNDED_GROWTH},
-    [FMB_STEP_PRUNED] = {run_elimination, FMB_WAY_PRUNED},
-    [FMB_STEP_RAYS] = {run_rays, FMB_WAY_RAYS},
-    [FMB_STEP_QUERIES] = {run_queries, FMB_WAY_COUNT},
-};
-
-static fmb_status take_step(part_run *r, const fmb_pipeline_step *s)
-{
-    const struct step_way *w = &STEP[s->kind];
-    if (w->way == FMB_WAY_COUNT)
-        return w->take(r, s->budget);
-    if (!fmb_way((fmb_way_id)w->way))
-        return FMB_OK;
-    fmb_status st = w->take(r, s->budget);
-    fmb_way_answered((fmb_way_id)w->way, st == FMB_OK && is_answered(r));
+    fmb_status st = FMB_OK;
+    if (c->recession && fmb_way(FMB_WAY_RECESSION)) {
+        st = try_recession(r);
+        fmb_way_answered(FMB_WAY_RECESSION, st == FMB_OK && is_answered(r));
+    }
+    if (is_open(st, r) && c->bounded > 0 && fmb_way(FMB_WAY_BOUNDED_GROWTH)) {
+        st = try_bounded_elimination(r, c->bounded);
+        fmb_way_answered(FMB_WAY_BOUNDED_GROWTH, st == FMB_OK && is_answered(r));
+    }
     return st;
 }
 
-/* One step after the other, until one of them answers. */
-static fmb_status run_pipeline(part_run *r, const fmb_pipeline *p)
+/* Is it one of the ways that a study may do without? */
+static bool has_switch(size_t engine)
 {
-    fmb_status st = FMB_OK;
-    for (int k = 0; k < FMB_MOST_STEPS && is_open(st, r) && p->step[k].kind != FMB_STEP_NONE; k++)
-        st = take_step(r, &p->step[k]);
-    return st;
+    return ENGINE[engine].way != FMB_WAY_COUNT;
 }
 
-/* ---- turns ----------------------------------------------------------------------------------- */
-
-/* In a few dimensions hulls have few facets, in more elimination mostly ends before they do. */
-static size_t likely_engine(const part_run *r)
-{
-    return r->features.kept <= FEW_KEPT ? ENGINE_QUERIES : ENGINE_ELIMINATION;
-}
-
-/* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
-static fmb_status take_turns(part_run *r)
+static fmb_status take_turns(part_run *r, const fmb_choice *c)
 {
     fmb_status st = FMB_OK;
+    r->slices.engines = FMB_ENGINES;
+    for (size_t k = 0; k < FMB_ENGINES; k++) {
+        r->slices.engine[k].expected = c->work[k];
+        r->slices.engine[k].over =
+            isinf(c->work[k]) || (has_switch(k) && !fmb_way((fmb_way_id)ENGINE[k].way));
+    }
     while (is_open(st, r)) {
         uint64_t slice;
-        for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
-            r->slices.engine[k].left = ENGINE[k].left(r);
         size_t k = fmb_slices_next(&r->slices, &slice);
         st = run_engine(r, k, slice);
+        if (has_switch(k))
+            fmb_way_answered((fmb_way_id)ENGINE[k].way, st == FMB_OK && is_answered(r));
     }
     return st;
 }
@@ -409,19 +356,17 @@ static fmb_status run_portfolio(part_run *r)
     if (is_open(st, r))
         r->features = fmb_features_of(&r->reduced);
     r->known = r->known || r->features.has_origin;
-    r->slices.engines = FMB_MOST_ENGINES;
-    for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
-        r->slices.engine[k].share = k == likely_engine(r) ? 2 : 1;
     if (is_open(st, r) && by_rays)
-        st = run_engine(r, ENGINE_RAYS, 0);
+        st = run_engine(r, FMB_ENGINE_RAYS, 0);
     if (is_open(st, r) && !by_rays && !r->reduced.rest) /* nothing is left to choose */
-        st = try_bounded_elimination(r, 1);
-    if (is_open(st, r) && !by_rays) {
-        fmb_pipeline p = fmb_selection_pipeline(&r->features);
-        st = run_pipeline(r, &p);
+        st = try_bounded_elimination(r, 0);
+    if (is_open(st, r)) {
+        fmb_choice c = fmb_selection_of(&r->features);
+        if (!by_rays)
+            st = take_first_steps(r, &c);
+        if (is_open(st, r))
+            st = take_turns(r, &c);
     }
-    if (is_open(st, r))
-        st = take_turns(r);
     if (r->e.q)
         fmb_elim_clear(&r->e.e);
     fmb_ray_projection_close(r->rays);
@@ -446,7 +391,7 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
     if (q->v->options.method == FMB_METHOD_HULL) {
         st = fmb_query_support_part(q, part, place, out, feasible);
         r.done = st == FMB_OK;
-        tell_attempt(&r, "support queries", 0, NULL, st);
+        tell_attempt(&r, "support queries", 0, st);
         return st;
     }
     if (!fmb_query_eliminates(q))
@@ -455,5 +400,5 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
         st = is_part_feasible(q, part, feasible);
         r.known = true;
     }
-    return is_open(st, &r) ? try_elimination(&r, r.known, 0) : st;
+    return is_open(st, &r) ? try_elimination(&r, r.known) : st;
 }

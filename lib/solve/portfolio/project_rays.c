@@ -7,7 +7,6 @@
  */
 #include "solve/portfolio/project_rays.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "dd/cone_rows.h"
@@ -381,11 +380,4 @@ fmb_status fmb_ray_projection_run(fmb_ray_projection *h, fmb_system *out, bool *
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h)
 {
     return h->over;
-}
-
-double fmb_ray_projection_left(const fmb_ray_projection *h)
-{
-    if (!h->lifted || h->pictured != (h->dual.of != NULL))
-        return INFINITY;
-    return h->pictured ? fmb_cone_left(&h->dual.cone) : fmb_cone_left(&h->cone);
 }

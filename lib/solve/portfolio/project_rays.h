@@ -19,7 +19,5 @@ fmb_status fmb_ray_projection_run(fmb_ray_projection *h, fmb_system *out, bool *
                                   bool *done);
 /* There is no use in going on: it must be eliminated. */
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h);
-/* Work that seems to be left; INFINITY where nothing tells. */
-double fmb_ray_projection_left(const fmb_ray_projection *h);
 
 #endif

@@ -2,7 +2,6 @@
  * project_support.h. */
 #include "solve/portfolio/project_support.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "hull/support/support.h"
@@ -21,9 +20,6 @@ struct fmb_queries {
     fmb_vec row;     /* the same */
     bool begun;      /* there is an s */
     fmb_group group; /* symmetries that were given */
-    double work;     /* until the last pause, and then: */
-    size_t open;     /* facets of which it was not known whether they stand */
-    double rate;     /* fewer of them for each step of work, of late */
 };
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -262,30 +258,10 @@ static fmb_status hand_over_hull(fmb_queries *h)
     return st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE ? FMB_OK : st;
 }
 
-/* How fast open facets become fewer, between this pause and the one before. */
-static void note_progress(fmb_queries *h, uint64_t work)
-{
-    size_t open = fmb_support_open_facets(&h->s);
-    h->work += (double)work;
-    h->rate = work > 0 ? ((double)h->open - (double)open) / (double)work : h->rate;
-    h->open = open;
-}
-
-/* Each open facet takes a query, at least; and mostly others come up. */
-double fmb_queries_left(const fmb_queries *h)
-{
-    size_t asked = h->s.rows + h->s.hull.generators;
-    double fewest = asked > 0 ? (double)h->open * h->work / (double)asked : 0;
-    return h->rate > 0 ? fmax(fewest, (double)h->open / h->rate) : INFINITY;
-}
-
 fmb_status fmb_queries_run(fmb_queries *h, fmb_system *out, bool *done)
 {
-    uint64_t before = h->q->run.work;
     *done = h->k == 0;
     fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, 0, done);
-    if (st == FMB_OK && !*done)
-        note_progress(h, h->q->run.work - before);
     if (st == FMB_OK ? !*done : st != FMB_LIMIT)
         return st;
     fmb_status put = st == FMB_OK ? hand_over_hull(h) : FMB_OK;

@@ -23,9 +23,6 @@ void fmb_queries_close(fmb_queries *h);
  * a limit (LIMIT) the rows that are proved. */
 fmb_status fmb_queries_run(fmb_queries *h, fmb_system *out, bool *done);
 
-/* After a pause: work that seems to be left; INFINITY where nothing tells. */
-double fmb_queries_left(const fmb_queries *h);
-
 /* The same by queries of its own, after a limit that came before any; *out may stay as it is.
  * Errors: MEMORY. */
 fmb_status fmb_queries_at_limit(fmb_query *q, int part, const int *place, fmb_system *out);

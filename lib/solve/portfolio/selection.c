@@ -5,241 +5,204 @@
 #include <string.h>
 
 #ifdef FMB_ABLATE
-int fmb_selection_forced = -1;
+const fmb_choice *fmb_selection_forced;
 #endif
-
-/* ---- pipelines ------------------------------------------------------------------------------- */
-
-/* Identifier, name in data and reports, trials of bounded elimination, and units of work of rays,
- * of pruned elimination, and of queries, in this order. */
-#define PIPELINES(P)                                                                               \
-    P(QUERIES, "queries", 0, 0, 0, 64)                                                             \
-    P(MORE_RAYS, "more rays", 0, 8, 0, 64)                                                         \
-    P(MORE_PRUNED, "more pruned elimination", 0, 0, 8, 64)                                         \
-    P(BOUNDED_MORE_RAYS, "bounded elimination, more rays", 2, 8, 0, 64)                            \
-    P(BOUNDED_PRUNED, "bounded and pruned elimination", 2, 0, 1, 64)                               \
-    P(BOUNDED_MORE_PRUNED, "bounded and more pruned elimination", 2, 0, 8, 64)
-
-#define PIPELINE_IDENTIFIER(id, ...) PIPELINE_##id,
-enum { PIPELINES(PIPELINE_IDENTIFIER) PIPELINE_COUNT };
-#undef PIPELINE_IDENTIFIER
-_Static_assert(PIPELINE_COUNT <= FMB_MOST_PIPELINES, "scores have room");
-
-static const struct named_pipeline {
-    const char *name;
-    unsigned bounded, rays, pruned, queries;
-} PIPELINE[] = {
-#define PIPELINE_STEPS(id, ...) [PIPELINE_##id] = {__VA_ARGS__},
-    PIPELINES(PIPELINE_STEPS)
-#undef PIPELINE_STEPS
-};
-
-const char *fmb_selection_name(int pipeline)
-{
-    return pipeline < PIPELINE_COUNT ? PIPELINE[pipeline].name : NULL;
-}
-
-/* A bound, or a row that names few variables, holds up most directions. */
-static bool tries_recession(const fmb_features *f)
-{
-    return fmb_features_are_dense(f) && f->bounds == 0;
-}
-
-/* About as many steps as 128 rays take, and four for each row: entries of a row, and the bits of
- * its numbers, tell what one does; long ones are divided by what they have in common. */
-static uint64_t unit_of_work(const fmb_features *f)
-{
-    uint64_t bits = f->minor_bits;
-    return 16 * (uint64_t)f->entries * (f->is_long ? 128 + 16 * bits : 64 + bits);
-}
-
-static void add_step_if(bool suits, fmb_pipeline *p, int *steps, fmb_step_kind kind,
-                        uint64_t budget)
-{
-    if (suits)
-        p->step[(*steps)++] = (fmb_pipeline_step){kind, budget};
-}
-
-static fmb_pipeline pipeline_of_name(const fmb_features *f, const struct named_pipeline *named)
-{
-    fmb_pipeline p = {.step = {{FMB_STEP_NONE, 0}}};
-    int n = 0;
-    uint64_t unit = unit_of_work(f);
-    add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
-    add_step_if(named->bounded > 0, &p, &n, FMB_STEP_BOUNDED, named->bounded);
-    add_step_if(named->rays > 0, &p, &n, FMB_STEP_RAYS, named->rays * unit);
-    add_step_if(named->pruned > 0, &p, &n, FMB_STEP_PRUNED, named->pruned * unit);
-    add_step_if(named->queries > 0, &p, &n, FMB_STEP_QUERIES, named->queries * unit);
-    return p;
-}
 
 /* ---- the table ------------------------------------------------------------------------------- */
 
-/* Marks are rough logarithms of features, in so many parts of one. */
-#define MARKS 256
+/* What trees tell, as logarithms to base 2 in parts of one: the work of the best engine, in units;
+ * that of each engine over it; and time with bounded elimination first over time without. */
+#define FORETOLD(T)                                                                                \
+    T(BEST, "best")                                                                                \
+    T(RAYS, "double description")                                                                  \
+    T(ELIMINATION, "elimination")                                                                  \
+    T(QUERIES, "support queries")                                                                  \
+    T(BOUNDED, "bounded elimination")
+
+#define FORETOLD_IDENTIFIER(id, name) FORETOLD_##id,
+enum { FORETOLD(FORETOLD_IDENTIFIER) FORETOLD_COUNT };
+#undef FORETOLD_IDENTIFIER
+
+/* Features are rough logarithms, too, in so many parts of one. */
+enum { MARKS = 256, PARTS = 32 };
 
 /* A tree asks whether marks are above thresholds. Its answers, the first one as the highest bit,
- * are the number of a leaf: a letter for each pipeline, NEUTRAL and more if it speaks against it.
- */
+ * are the number of a leaf: a letter for each number that is told, NEUTRAL if it adds nothing. */
 enum { QUESTIONS = 6, LEAVES = 1 << QUESTIONS, NEUTRAL = 'm' };
 typedef struct tree {
     struct {
         unsigned char feature;
         short above;
     } question[QUESTIONS];
-    char leaf[LEAVES * PIPELINE_COUNT + 1];
+    char leaf[LEAVES * FORETOLD_COUNT + 1];
 } tree;
 
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 5853 problems of 48 families, seeds 1 to 110051, ways as of commit b4a70387.
- * Time over that of the best method alone: 1.075 on families seen, 1.222 on others. */
-static const int START[PIPELINE_COUNT] = {23, 23, 30, 18, 25, 28};
+/* 6759 problems of 48 families, seeds 1 to 120055, ways as of commit 72e53a81.
+ * Time over that of the best method alone: 1.064 on families seen, 1.216 on others. */
+static const int START[FORETOLD_COUNT] = {5, 37, 46, 33, 0};
 static const tree TREE[] = {
-    {{{10, 1184}, {4, 320}, {11, 1432}, {7, 17}, {2, 832}, {0, 512}},
-     "riijkjpjkkkknlllmlmkklkkmmmmmmrhmmmlmmmmmmmmmmmmolklkkriljmlmmmmmmllkmkkmmmmmmonlmllmmmmmmmmm"
-     "mmmphlimloljmlkktjslknmlmnmpjhhgfumhjhgltimihrlnmqnimknlkmjjklkivnsmmmomommjriskjrsgpihkvmtmm"
-     "nskqlkllmlmmoninjjljlkllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmllnlmmnm]aabaafghghhmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmhwiuwpkllmmoiqkrrqiskssjmjmjjrokkkjmplkkkntouoohksmrsohoipogqrrosmkplophspupqookokk"
-     "jvnsnnnqjokj"},
-    {{{10, 1288}, {4, 320}, {11, 1376}, {7, 17}, {3, 1056}, {0, 384}},
-     "pjjkkkqjjkkjmmmmmmmmmmmmmmmmmmpimmnmmmmmmmmmmmmmnllmmlrijjkjmmmmmmjkkkjkmmmmmmoollllmmmmmmmmm"
-     "mmmnimjnmrjjklkjqmqmnmnjolkoiijiisjiiihlnjjihpnjlkijnnnoomjikkijsruprjrkpkkjpjpkjoohoihjupuqp"
-     "mtkrllklllllnkllmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkjnknnliijjjbfeffeddeeeemmmmmmmmmmmmmmm"
-     "mmmmmmmmmliqjqrpirjrrjktmrtqhrissllkllkmkllmmlnknllnqmqlmjmqnqrmipjppgqrqqrkjqkoqmnnnnnllmlmm"
-     "ktrsrrkrlqkl"},
-    {{{5, 499}, {11, 1200}, {4, 384}, {10, 1604}, {2, 800}, {11, 1883}},
-     "qjkkkkmmmmmmpknkoommmmmmmmmmmmmmmmmmmmmmmmmmmmmmnkjjiimmmmmmpsirmimmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmqnkmkkopinjinqkkjjmokolkmmmmmmmmmmmmmmmmmmmmmmmmmmjmkjmqkqlllvkmjilsmtonmmmmmmmmmmmmmmmmmm"
-     "mmmnnnojmknnmmmmmmqhmkonmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoiojoommmmmmnllnnlmmmmmmokqlrqmmmmmmqkp"
-     "lppmmmmmmqjkklkmlnlnnmilklmkkklkkmmmmmmmmmmmm^edfdemnnonnnjokopklomoohprqkrkoppnqklrmpsknpopq"
-     "qkrlrsmjpjpp"},
-    {{{7, 28}, {10, 832}, {6, 56}, {0, 384}, {11, 1883}, {5, 823}},
-     "mnllllmmmmmmmnlnllmmmmmmlnljkkmmmmmmmpkplkmmmmmmoljkjjmmmmmmlnknlkmmmmmmqjmknmmmmmmmmmlmllmmm"
-     "mmmkrmqmmmmmmmmkppqppmmmmmmjqmrlmmmmmmmlolqmlmmmmmmllpmoqfijjijjoqpqqjkmklmojokoogikjjkmjnjnn"
-     "nkmkmmmmmmmmmmmmmmnmmmmmmmmmmmopkollmmmmmmooknlkmmmmmmmkkkkjmmmmmmllkllkmmmmmmpllkkjmmmmmmnnj"
-     "kjimmmmmmmrkjjjmmmmmmlqnroommmmmmnrjljimmmmmmmqksmkmmmmmmlmklkjmmmmmmksotppmmmmmmnojnkkmmmmmm"
-     "mqkqlkmmmmmm"},
-    {{{10, 1368}, {5, 823}, {3, 1056}, {11, 1883}, {8, 68}, {7, 13}},
-     "okllmkokklkkoklkllnlkklkmllmmlnpkolkjlnmoommklkklmmmmmqmlnolknmnlmmpkljjmlmlmmnnkmkkkonomnlqn"
-     "rnnnnmmmmmmmmmmmmmmmmmmmmmmjifhffmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmnkpkppllmlmmmmmmmmmmmmmmklolnollmlnnmmmmmmmmmmmmklqmoqlnlnllpkpkqpjpqolqklmmlmlmnnnnmlq"
-     "lqqlqprppmkpkppmmmmmmmmmmmmmmmmmmlkmlmnmmmmmmmmmmmmmmmmmmchghfgmmmmmmmmmmmmmmmmmmnnonoommmmmm"
-     "mmmmmmmmmmmm"},
-    {{{7, 44}, {5, 384}, {9, 0}, {10, 1288}, {3, 1248}, {0, 576}},
-     "mnlomlmmmmmmlpnpoommmmmmmmmmmmmmmmmmlplomkmmmmmmlnkmkkrqjmjjkqmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmnljlkkqolpmlmmlmklmmmmmmlknlnooqiqkijonolnmmmmmmmmpmpppiqksqjrmrlmkllmklnkqkqrmmmmmmnkokpo"
-     "nlpmopmkllllnmmmmmmoklkkmmmmmmmmmmmmmmmmmmnokmkkmmmmmmmlkkkknmlmlllmlklknoklllmmmmmmmmmmmmmnm"
-     "nmmmmmmmmmpkplkrpkplkmmmmmmmmmmmmnmmlnmmmmmmmllllllmmmmmmnmmmmmolklkkmlmmmmpqkqlkmmmmmmpolnlk"
-     "mmmmmmqpiqnj"},
-    {{{10, 1040}, {4, 320}, {6, 81}, {0, 512}, {11, 1644}, {5, 525}},
-     "mmmmmmmmmmmmmmmmmmmmmmmmmlopookllmllnnmmmmmmmmmmmlllklokklkkmmmmmmnmlmllolkljjolmlmmnmmmmmnmm"
-     "mmmmpkkjjmmmmmmlomnmmmmmmmmoolmllmjnknonnklkkmmmmmmmkllllomkmkkknlnmlmmjnjjpllkllnlmlmmpnmnll"
-     "nkplpommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknknnmmmmmmfgghhgmmmmmmpokolkmmm"
-     "mmmlkmkmmlpkmkklmlmlmkqoroolnlokmnqjrmkokplppnnkolklmknjkmknknnlmomookoqoqqlmnmnnmolollpmllml"
-     "mlmllmoknknn"},
-    {{{5, 823}, {10, 1604}, {6, 243}, {5, 640}, {7, 17}, {9, 128}},
-     "mmmmmmmllmllnnlmllmmnooomlolnnlmnmonlniojilnnnnnmljljjmmmmmmmmnmonmmmmmmnmmmmnllnlonmmmmmmmmm"
-     "mmmnkpkpppjqjrqkmonnommmmmmmjmjlmnlmlmmmojokjmmmmmmlonoonnlmlnmmmmmmmmmmmmmkqoqmonlnlnnmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoolnmlmlmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnlmnmlmlmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmggfgffmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmminmolmmmmmmm"
-     "mmmmmmmmmmmm"},
-    {{{5, 823}, {1, 1104}, {0, 576}, {3, 1104}, {1, 960}, {9, 85}},
-     "mlmmmmmlmlmmpjokoonnmklllnnnmnnmpmqplololllnoooopqjrkkpnlkkkqolnmlmmmmnnppklkkpplpmlommnnmoll"
-     "molmmmmmmmmmmmmnlmlmmmmmmmmmmmmmmmmmmmmmommllnjlkmlmmmmmmmmmmmmmmmmmmnlmmmmmmmmmmmmmmmmmmmmmm"
-     "mlolnohgfgffmlnlonopopoommmmmmnqoqmommmmmmlononnmmmmmmnnmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmeeeefemmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmm"},
-    {{{5, 823}, {10, 1604}, {3, 960}, {11, 1883}, {0, 384}, {9, 14}},
-     "nlnlonmkllmlonjmljnkmlmmlmkmlkkmmmmmomkmlkllmkmmlnnnmnknlmkkmmllllnmmmmmloopookppqppmllmlllnn"
-     "nmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnnnnnoknkonmkoknorkolpolpnponmknkonmlllkl"
-     "mlmlmmmmmmmmmmmmmmnmlmmlmmmmmmllllllmmmmmmkjijihmmmmmmmmpmpplllllllkkkkknmomoonnonoolmmmmmmmm"
-     "mlmnnonoommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmifegfemmmmmmhjijiimmmmmmmmmmmmmmmmmm"
-     "nmnmnnmmmmmm"},
-    {{{0, 384}, {11, 1344}, {3, 896}, {7, 37}, {9, 75}, {13, 0}},
-     "mmmmlmnmllllnmmmmmnmlmllmmmmmmmmmmmmmlnnnnmmmmmmknknkkmlnkonlloloolmknmlllmlllmlllmlmmmlllmmm"
-     "mmmmmmmmllmjmjjmmmmmmmmmmmnmlmlmmlmllllmlllmlmmnmmmmpopoolpopnolnonoolmompokllmmmlpnpoolomonm"
-     "lnmmmlmmnmoonllmllmmllllmmmmmmllomppnlmmmmmllmllmlnnnmllnmnnmlmmmmpkoloomlmmnmlknkmnmmlmllook"
-     "kjjnmknlkmmmmmmnmimjjomlmmmnmlmmlmlmlmmpnmmmmmlmkmmmmmlmmklpmnpmllmllmlnlnnmmonoomklllkooknkk"
-     "mololljmomoo"},
-    {{{4, 320}, {2, 1088}, {0, 640}, {9, 222}, {6, 237}, {10, 1464}},
-     "omlmmlkkkkkkkkhkiimpppppnlijjjmmmmmmmlmlmmmmmmmmnmmnmmmmmmmmnomommmmmmmmlmnnnnmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmpppppmmmmmmhgggggmmmmmmmmmmmmmmmmmmmmmmmmklkllkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmlnmnnnmmmnmmmmmmmlolommmmlllmjlmlmmnnonoorrkplkmmkmlkmmmmmmmmmmmmokqkrpmmmmmmmmm"
-     "mmmmmmmmmlonmnnmmllmlmmmmmmmpnpnnmmmmmmmmmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmipppkpmmmmmm"
-     "mmmmmmmmmmmm"},
-    {{{3, 1344}, {5, 334}, {11, 2304}, {1, 1150}, {11, 1814}, {8, 90}},
-     "lkmmlmmmmllllimimmmmkmllmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmnlmlmmmnmmmmmmmmmmlnnnnnknmnmmnkllmligggggmmkmklmmmmmmmmmmmmmlkllkmllmklmmmmmmmmmmmmnmnnnn"
-     "nmlmllmmmmmmnnlikkmmmmmmmnmnmmmmmmmmmolgjimmmmmmmookmmmmmmmmmmmmmmmmmmmmnnkollmmmmmmmmmmmmmmm"
-     "mmmmllommlqlqnmkoopoomolomlmmmmmmjnmnjllmomnoorqrpqlnqpormmmmmmmmmmmmklnllnnlmmnnmmmmmmmmmmmm"
-     "mmmmmmmkllml"},
-    {{{6, 67}, {1, 1150}, {11, 1344}, {0, 576}, {5, 346}, {11, 2223}},
-     "mmmlmlmmmmmmlqkokkmmmmmmnplpmmmmmmmmnnjnkkmmmmmmmnllllnmkolllompnmmnmnmmonmmmmmmmmmmnmnnnoolk"
-     "lnkmmmmmmmmmmmmnlllmlmmmmmmmmmmmmmmmmmmmkokoommmmmmmonillmllnnmlnponpnlllmlmmmmmmmmmmmmlllmll"
-     "lnlnlllllmllmmmmmmmlmmnmmmmmmmmmmmmmmmmmmmmmnlmmmmmmmmljljllmmmmmmlmmmnnmlmllmmmmmmmmmmmmmopk"
-     "qlknmmmlmmmmmmmmmmmmmnlllmlmmmmmmmmmmmmmmmmmmommmmmmmmmmmmmmmmmmmmmmmijijiiommmmmmmmmmmmmmmmm"
-     "mmlmllmmlmll"},
-    {{{0, 384}, {10, 1040}, {4, 288}, {7, 0}, {2, 864}, {3, 1288}},
-     "nmlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjmjjmmmmmmnnlmllnnllllmmmmllmnmlmmmmmnmmmmm"
-     "mmmmmmmmmmmmmmmnnonpolkkklkmmmmmmmmmmmmmmmmmmmmmmmmllnlmnmpnponnrqroqmlmlmmlomonmmonnnnmnmnnm"
-     "nmnmnnnmlmllmmmmmmllllllmmmmmmlmomoommmmmmmmmmmmmmmmmmmmjmkjmmmmmmmmmmmmmmmmmmnmmmmmmmmklmmmn"
-     "nnnlnlmlloonommmmmmmmgfffggmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnlmnllklkkmlmmmmnmmmmmlmlmllkmmnmm"
-     "lkkmkkmnlmll"},
-    {{{2, 768}, {10, 1764}, {5, 678}, {4, 288}, {0, 384}, {4, 599}},
-     "mmmmmmmmmmmmmmnlnnmmmmmmmmmmmmmlnmonmmlmmlljnkmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmnmnnmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnnnmnmnlnlnnllmllmmmmmmmmmmmmmmmmmmmmmmmmmihfigfmmnmonnlnlnn"
-     "nmmmlmnmmmmmmmmmmmnlmmmmmmmmmmmnnomnmmmlllmmmmmmnolmlloononnmmmmmmlkijiimmmmmmkmkmjkmmmmmmmnm"
-     "nmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmlnmmnmnmmllllmlmmmmmmlklkllmmmmmmotqtqqmnmnkm"
-     "lpnpmnmmmmmm"},
-    {{{10, 704}, {9, 0}, {6, 86}, {0, 576}, {12, 0}, {7, 28}},
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnnmlmmmmmmmmnmmlmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmlllmmmmmmnnmkllmmmmmmllnpnnmmmmmmmmmlmmnmlmllmmmmllmmmmmmmkljklmmmmmmnmkljkmmmmmm"
-     "mmmmmmlnmommmmlkllmmlmmlnnlomlmmmmmmnnnponmmmmnmnmmnlmmmmmmmllllllnmlmllmomommnqjqkjnmmnmmmmm"
-     "mmmnmmmmmmnmmmmmnmlllmlmmmmlmnooolnnnlnnmmmnmonlmllnmmmllokokoomlnmnnllnlonlmmnlmmmmnmmnomllm"
-     "mmmmmmlnnnmn"},
-    {{{10, 832}, {0, 640}, {11, 1024}, {9, 105}, {4, 435}, {5, 537}},
-     "llomppmmmmmmmmmmllmmmmmmnmklkkmmmmmmllnonnmmmmmmomlmmlmmmmmlmmllllmmmmmmnollklnllmmmmlnmmnmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmlmnnoommmmmmmmmmmmmmmmmmonlnllmmmmmmmmmmmmmmmmmmnnlmlllmlmllmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmnnnlkmlkmmmnmmmmmmmmmlllllmlmlmmnkllllmmmmmmmnmnmmmmmmmmlolpmmlmnmnnkmp"
-     "oopoknkommmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmljmjkmmmmmmmmmmmmnmmnnmnolomloomlmmonlnllmmlmlmnmlmll"
-     "onloolmmmmmm"},
-    {{{5, 334}, {3, 1584}, {11, 1970}, {9, 59}, {2, 704}, {3, 1120}},
-     "mkmklllknllmmmmmmmmnmilkmlmmmmmmmmmmmmmnmmmmmmmmmmmmmmlkmkmmmmmmmmmmlmmmnnmmmmmmmmmmnmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmomjllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllnmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmlnmnnmkmkmmmmlmlllonomnmmlmlmmlmlmmnmnlmmmmlmmmmmlnllmmmmnmmmnmmnmmkmllmpoooollmlmmmmm"
-     "mmlmmnmnnmmmmmmlomommmmmmmmlmonopmmmmmmmmmmmmmmmmmmjqnpkmmmmmmmmnlnmlmmmmmmmlnlnnmmmmmmmmmmmm"
-     "mmmmmmmmmmmm"},
-    {{{0, 704}, {8, 51}, {1, 1150}, {4, 320}, {10, 1368}, {7, 17}},
-     "mnlmlkmmmmnnooqoqqmmmmmmmmlmmlmmmmmmmmnmmnmnknkjmmmmmmmmmmmmkhgghgmmmmmmmmmmmmmmmmmmmpppopmmm"
-     "mmmnmlmmmlmmnlmmmmmmmmmmmmmlmmmmmlmmmmmmmnmnnmmnmnnlmlmllmmmmmmmmmmmmmmmmmmnmnmnnllnlnnnmlmll"
-     "mmmlmmmmlmmmmnmlmmmmmmmmmmmmmmmmmmmmpnmoolmmmmmmmmmmmmmmllllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlqlrpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmlnonnp"},
-    {{{2, 1024}, {3, 1328}, {6, 237}, {4, 320}, {4, 559}, {9, 0}},
-     "onmmmmlllmllmmmmmmmmmmmmmmlmllmmmmmnmlnmnnmlmlmmlnmommmlllllmmmmmmmmmmmmmmnmmmmnnnnnoklknlomk"
-     "mlkmmmmmmmmmmmmmmmmmmmmmmmmnmlmmlmmnmnnmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlomolm"
-     "mlmlmmnpppqpmmmmmmmmmmmmmmmmmmmljkjjklmmlmmmmmmmmmmmmmigggggmmmmmmmmmmmmmmmmmmlononnmmmmmmmmm"
-     "mmmmmmmmmmmmmmmlllmllmmmmmmmmmmmmlnoonoknmnlmnlmkllmnmmmlopppppmmmmmmmmmmmmmmmmmmmlklkkmmmmmm"
-     "mmmmmmmmmmmm"},
-    {{{2, 1088}, {6, 56}, {0, 384}, {2, 896}, {5, 823}, {1, 864}},
-     "mmmmmmmnmmnmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmpplollmnlnllmmmmmmmmmmmmmmmmmmmmlnmlmmmmmmmmm"
-     "mmmlmmmmmnmmmlmigfggfllllllmmmmmmmonnlnmmmmmmopqqqqmmmmmmnmnmmmpopnppllllllmmmmmmmlmlmmmmmmmm"
-     "kjijiimmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnmmnmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlpnpnn"
-     "mmmmmmmppppp"},
-    {{{5, 334}, {7, 64}, {11, 1814}, {5, 426}, {3, 896}, {9, 113}},
-     "mmmmmmmmmmmmmnljkkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmlnmlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmllmlmmnnnnmlnmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlmmmmmmmmmkmkmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmonppmmmmnnmmlmmmmlmnmlnmmmmmnmmmmmmmnmmnmmmmmlnmmmmmmmmmmmmnmonmnnomonlmkmkkmnmnmnmmn"
-     "mnnlmmmmmmmmmmmlmnnmmmmllllkjonnonnmmmmnmlllloolnlloplnmlmnmmmmmmmmmmnolnlkkmnnnmnmmmmmmmmmmm"
-     "lomommllmllm"},
-    {{{3, 1584}, {2, 768}, {9, 113}, {10, 1184}, {4, 448}, {11, 2109}},
-     "nmlmllnlllllmmlmmlmmnnmnmmnmonmlmlmmmlmlnmmlllllmmnmnnmnmmlllknnnnlpopoommmmnnlnmnnnolllmmmmm"
-     "mnnmmmnmmmmlmmlmmnmmnnmmnnnlmmmlmnmmmmmmpkokkmnlnllmnkmllmlnlmmklmnnmllolmoolmlnmlmkmkknlllml"
-     "nknknnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlolomlmnlnmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmnommnmlmnnmmmmmmmmmmmmmmmmkllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "kooolommmmmm"},
+    {{{7, 18}, {14, 1376}, {0, 512}, {3, 1056}, {13, 768}, {0, 384}},
+     "cfjqmghjsmcfunmgfurmktmjnkkmmncjykmievpmmmmmmijismmmmmmrhhrmmmmmmqhmommmmmmfgusnlmjjmmjhpmnmt"
+     "hmzgpkmtwufmsvmgljtyfm{iuhmmmmmmfjiummmmmm}hlpmmmmmm}mmjmmmmmmyftmmfffomhhfrl`jhim_igkmemfkkh"
+     "qemk_nhjm^njhmmmmmmhhhwnmmmmmjnjrlmmmmmflhunmmmmmntgtmkqggmnqdlmmmmmmoljmmgxofmoxjhmkpolmvpph"
+     "mmmmmmpretlmmmmmpmipmmmmmmvueplmmmmmwnmon"},
+    {{{12, 1232}, {6, 66}, {14, 1432}, {0, 512}, {7, 18}, {9, 12}},
+     "iuiknmmmmmhufkkmmmmmpnkomvjmlmktfrmqjpommvmhlmmmmmlwmimmmmmmwnmlmylpkmwtinlplnlmfgjrmmmmmmghf"
+     "oliiponmiiqmlknomhleuklgppspmjjmmmmmmmqhimmlmmmpiiqmmmmmmprgrmmmklmjjmmnmmmmmjsimkmmmmmipsmmm"
+     "mmmmqtipmmmmmmotpimmmmmmkvlhlmmmmmsmnlmmmmmmsrjnmmmmmmghwnmmmmmm]kggmmmmmmmiosmmmmmmjklrnmmmm"
+     "mumtimmmmmmpsthmmmmmm{hqommmmmmsmjommmmmm"},
+    {{{12, 1368}, {3, 1072}, {14, 1264}, {7, 13}, {0, 384}, {11, 105}},
+     "hinnmgjmommilqnhimqmghimmhkhmlgjjrljijrnllmlmhmplmtjipmdimqmlpiimjpmjmoogqmmmklnnonlmjqkkntko"
+     "mmjjknnhnhlkllmlmkmgomjrgpmrurinonolmvqmil}kqjmjumimkonkmpuhmmvnokmgjpnmlmmmmmkpnmjlnnmilllmm"
+     "mmmmdknlmmmmmmqksimhnplmyhqnmjlrnmmmmmmmmmmmqiqkmmmmmmdjqknejoqmljrnmehqsmkmlmmmmmmmhllmmmmmm"
+     "mksthmdgslmvjrkmigupmbqoimmmmmmnpljmmwshm"},
+    {{{5, 496}, {3, 992}, {14, 1264}, {0, 576}, {13, 800}, {14, 1816}},
+     "jiipmmmmmmlllmmmmmmmkhlppmmmmmmmmmmmmmmmmijlnmnhmmmlmmmmmmlmknlqmonkqmmmmnmmmmmminhnlmmmmmolo"
+     "lnmmmmmlqiqmmmmmmqtiqmmmmmmitikklrljnrlnlmtnqjmrritmrrgsmnnlnmsnknmhjkpmmmmmmgiqommmmmmlllnmm"
+     "mmmmlllnmmmmmmaijtmlohmmjilpmukokmlokomqmlmmnqipmwllmmjklnnmmmmmcipnmmmmmmdfptnmmmmmlmlqmmmmm"
+     "mrptjmyoojmfmrkmvkqkmtiqonrkqlmqwrimolkmm"},
+    {{{12, 1232}, {3, 1280}, {15, 0}, {11, 128}, {7, 13}, {0, 512}},
+     "lkknmmjknmkkjnlknjrlgjkqnlkmomijjmnkhppprmlkmtmkpmmojkmophqmlmolmmmmmmjqojmklnknctnkkmnlmmksk"
+     "kknpknmkrjjnynmjmlplkmorklmonkknnmmmmpqnknqoiqmqookmnmmmmooolmynmkmjkslmnknpm`kkjmnmjqmdippme"
+     "kppmnmnmmmmmmmxkokm}jlomonqjmrlmomimrlmmmmmmmmnmmmmmmmksrimkmpmmjrlkknomlmhiopmkippmmmmmmqvpk"
+     "mupmjmsmlmmqqnjmooknngjpmmmmmmmmmmmmmmmmm"},
+    {{{6, 56}, {12, 1040}, {0, 384}, {14, 1344}, {7, 18}, {16, 0}},
+     "mmmmmlolnmlplklmmmmmmmmmmnnkmmlonlmmnmmloknmmlnlmmlskpllllknxlokmhqkklppmmmjpjnmmmmmmkqlknmmm"
+     "mmlmlmmmmmmmkqqknmmmmmkqnklklnommspimlpkmlpqjompkolmuqklnmpnkmpqkmllllmmiliomkklmmlkjmlknnlmm"
+     "njlmmlkkmjolkmkjlpmokiomklkplkkkongjkpmnkjmmmkjmmlojnmnmtkmgipmnenjjmlkmmnposjmmppjmlqmkmgsrk"
+     "mjjsqmminomenhlmiklpnqiqkmslmmmrmmlmuommm"},
+    {{{6, 72}, {7, 51}, {3, 1120}, {11, 113}, {14, 2074}, {10, 73}},
+     "mokomlokomnnlomnokomlmlnmkrlnkmmlmmmmmmmqrmlnismkktpkmmppmlnkvmhnojmmmsppjmnmpkmlmmnmlnkolmnm"
+     "nmmmlnmnmmmnjpknlmmmmmnmmmmnnkomlmjmlpokomknkmmknhqmkjmknumllmlmmlmhkmnmllmmmwkmmmtkmimfjoomi"
+     "klomjookmmprlmjpqkmslrjnwmmlmtpokmdjqsmmklmmiiqmmnlmmmmnjnmmljnllrlnmpmkmmnkmnoljllolnlmmnonl"
+     "mlmlnmmilknnnlnmlnlmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{2, 768}, {5, 524}, {0, 384}, {14, 1972}, {3, 1024}, {11, 40}},
+     "lkjlmlkmmnlillnjnklllolkmmnlkmioqkmipqkmlmlqmmklnmnjlmmllkmnoojomnmkmmpjklmkqllmhkommjkommgln"
+     "kmhknommnmkmioqkmlpolmmmmmmmkjnmgkmomijommkkoqmqlkmmllolmvjllmkkplmmmmmmmmmmmjqmlmmrljlmmmmmm"
+     "mmmmlpnlmmqplmlmmnmnlnmonqmklmrknmnnlnmnmllmvmjnnprnlmdllnmjllnmkspkmkmpmmpnmomnnnlmvnmlmkmpl"
+     "mkojqmgkmpmmonkmmkonmrmmpmmnnnmxklkmpkpmm"},
+    {{{3, 928}, {5, 496}, {0, 384}, {14, 1886}, {2, 768}, {10, 96}},
+     "kllnmnklmmmmmmmmmmmmlolkmnllmmmmmmmmmmmmmknnnmlkolnmnmnmmmmmnmkommllnmmmmmmmmmmmkkonmklknmill"
+     "nmlllnmlllkmnmmlmlmmmmmmmmmklkpmkmkomhmipmikmpmnmknmmlllmjokommmmmmkkllnlmklllnnlmlqklljprkmk"
+     "nmlmkoolmkpolnnklmmlmknmqqjpmjqkmknolmmllklluokpmmonkmiknlmnlnlmjpokmpopkmkppkmkpplmpnnmmqonl"
+     "mjjpnmolkomlnpnmqjlmmrknlmqkkkmtlnmmqmnkm"},
+    {{{3, 1584}, {0, 512}, {7, 38}, {6, 86}, {11, 0}, {16, 0}},
+     "mmmmmqpmlmoroklkmlmmfmjjmmlmmmmlqmmglonmmkmlmlokmmlokllklmlnmjlknlomlnnklmmmmkmmmmmmmwmkmnpko"
+     "omjjnommmmmmqllnmfjoomllnnmlkllmqojrmloknlmmlmnmmmmmnmkrmmnkoliljokmmmmmioollmmmmmhnlllmmmmmp"
+     "plkmmmmmmmmmmmmmmmmlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmonplmmmmmmpsqimmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmkokmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{12, 1040}, {9, 0}, {4, 448}, {2, 800}, {11, 70}, {7, 13}},
+     "nminmnmlqmkkjnmlmjolnninmonlomkllomjrkplnmllmlkklmmmkkmkmmmmhnmlmloknmmmmmmmnnknmmmmmmkpmnmmm"
+     "mmololqmmmmmmlmmmumnlmoipnmmmmmmlmlmmmmmmmlkmknmmmmmmmmmmmmmmmmmmmmrlmmmmnmnmjmrlmnmmnnlpmmms"
+     "mlomjmnnmqnokmololmjnllmijoommolomqqnkmmomlmjkmnmqqokmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmlnknmmmmmmlnlnmmmmmmmmmmmmmmmmmmmmm"},
+    {{{3, 1280}, {5, 332}, {7, 96}, {14, 2221}, {14, 1652}, {10, 104}},
+     "mmmmmnllmmmmmmmmklmmmmmmmmmmmmmmmmmmmmmmmmmmmpkmknmmmmmnhkmmmmmmmmmmmmmmmmmmmmmmllnnmlmknmknm"
+     "lmmomkmmmmmmmmmmmulmnmnmlkmklknmlnlolkokmmkmmlmmmmmmmmmmmnnmnmmmmmmmmmmmioinjmmmmmfomlkmmmmmm"
+     "mmmmmmmmmmnknnmmmmmlkmlmmmmmmmjllmmmmmmmmmmmmmmmmmmmmmmpnlmpmllmmomlmmorknmmmmmmmmmmpmnlmskmm"
+     "mnokqmmmmmmkplqmmmmmmmmmmmmmmmmtlklmmmmmm"},
+    {{{0, 576}, {2, 896}, {14, 1200}, {12, 1264}, {8, 68}, {1, 896}},
+     "llmnnmkmmlmmlmmmlnmmillmmmmmmmploomlllnmknkmmphnnmnnmlmmnmmmnmnlmpkmnmmlpkmllnnmmmmmmmmmmmmmm"
+     "mmkrilnmmmmmmmmmmmmmmmkklmmmmmmmkmlmmmmmmmmnnmmmmmmmcrmmmmmmmmoomlmknjolomnnnlolnllmnnmlmmnmn"
+     "mmmmmmmmmmmmmmonkmmopkrmjpkqmmmmmmqpiomonkommmmmmmmmmmmmmmmjhpqmmmmmmgjhnmmmmmmnnkrmmmmmmkmnm"
+     "mmmmmmqmlmmmmmmmukolmmmmmmpmmmmmmmmmmmolm"},
+    {{{0, 384}, {3, 896}, {5, 464}, {14, 1432}, {2, 640}, {6, 86}},
+     "mmmmmmlmmmmmmmmmmmmmmmmmmojkmmmmmmmmmmmmmmmmmllmmmmmmmmillommmmmmmkjkmmmmmmlllnmmlmmmllllmlmk"
+     "lllmllmmmlmmlmllmjoolnkqqlmmmmmmjmnmmmpmmmllnlmmmmmmjnommrmmmmjoolmmmmmmmlmmmnmnmonmlmlmmmmmm"
+     "klmmmmmnmnmmnmmmmmmlllommmmmmjlkolmmmmmkninmmmmmmfmlpmnkmkmmmlnlnnlnmmlmmmnjlllmlmnnmnlmmpnml"
+     "mmmmmmlkmlmlllmmnlmnmmmmmmlljmmwnpjmolnmm"},
+    {{{0, 576}, {2, 1088}, {9, 12}, {11, 222}, {14, 2156}, {2, 832}},
+     "lmmmmlonlmrlmmmnnlnmilonmknklmgpokmrmnmmmlpknlkoommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmfoolmmmm"
+     "mmmllmmmmmmmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmojommnlpmqnlpmvmkmmjmknlh"
+     "hmonmmmmmmmmmmolompmkmmmmmmmmmmmmmmmollmmmmmmmmmmmmmmmmmmmmklppmmmmmmolmlmmmmmmoppkmmmmmmmmmm"
+     "mmmmmmtnmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{12, 832}, {9, 0}, {0, 640}, {7, 28}, {14, 2074}, {11, 40}},
+     "hoknlllknmnljnmnlllmmkllmmmlnlmllnmmklnmmnmmmlnlnmnmmmmknlomknmnmmmmmmmnmnmmmmmmmmmmmlkonmmmm"
+     "mmmmmmmmmmmmnkolommmmmlnmmmmmmmmumnjmmmmmmmmmmmmmmmmmmolnmmmmmmmmmmlmmmmklnnmrlmmmlmolmllklmm"
+     "nlmmlpmmmnoplmnpkommmnnmomlmmrlmkmoolomnplpnpmmnmrlllmmmmmmmmnmommmmmmmnmmmmmmmmknjmmmmmmknnm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmnmnmmmmmmjolqm"},
+    {{{12, 2049}, {12, 1592}, {5, 703}, {7, 18}, {13, 1056}, {1, 800}},
+     "olllmnmmmmllnmmplmmmlnmmmmmmmmimikmmllnnlnmmmfoiqmqlplmlknommmmmmmmmmmfnhlmmmmmmjmlmmjknomlkn"
+     "nmgknpmnmnmmlmnmmmmmmmmmmmmmmmmmmmmmmpmnlmionlmmmmmmmmmmmepilmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqpllmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmnmnkpnmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{0, 384}, {3, 928}, {14, 1320}, {1, 800}, {7, 24}, {10, 51}},
+     "kmnnmlmmmmlnlnlllomnnmmnmmllmmmmmmmommmmlmklmmmmlmnnllmolmlmlkmpmlllmmmmmmmnjlmmlkmmmmlmlmimi"
+     "lmmlmnmlmllmoonmmmmmmmmmmllkomlmlnolmmnmmmkopmmlnnmmmnnmmlnolmlmllmnmmnmmmmmmjmkolmmlmmnmknml"
+     "mlnmmmommommmmmmkmmmmmmmnmlmmnllmmgmjqmklmnmmmmpmmlmmmmlpnmslnlnhnikmlmlnmlqllmmlmnmkjlnmmmmm"
+     "mplmmmsklkmlommmommlmnmmnmmlmlmomnomnmmmm"},
+    {{{5, 332}, {6, 33}, {14, 2221}, {13, 384}, {11, 14}, {16, 0}},
+     "mmmmmknkmjmmmmmmmmmmmmmmmhnmmlmmmmmjnmmmmmmmmkmmmnmmmmmmmmmmmmmmmnllnmmmmmmmmlnnmimkmmmlnlmll"
+     "mmolmlnmkmlmmmmmmnmllmmlmmmmmmmmlnmlmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmslommnlmmmmmmmmmmmm"
+     "mmmmmmmmmoookmmmmmmpkmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllmlmmommnlolnmlmkmmhmkkmmmmmmnmnmmkmnm"
+     "mmmmmmqmlnmknlompmnlmolnlmqmlnmnmmmmlnnlm"},
+    {{{4, 288}, {0, 576}, {2, 896}, {10, 104}, {11, 128}, {14, 2042}},
+     "gllnmgnlnmnmmmmmmmmmmlmnmmmmmmllmnnmmmmmbjommgmkommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmlmmmnmn"
+     "mlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnmmommmmklmnminolmnmlmmm"
+     "mmlmmkokommmmmoqnlmomlmmmqkkmqmmlmknmmllmmmnmlmmmlmmmmnpkommolpmmmmmnrlmlmlnmolnlmkmnmmlmmmmm"
+     "mnlmomnlmmmllnomnmmlmnlllmmmmmmsnmlmmmmmm"},
+    {{{0, 384}, {5, 580}, {8, 21}, {16, 0}, {13, 800}, {11, 40}},
+     "nkmmmmmmmmmmmmmmmmmmmnllmmmmmmlnlmmlmkomnknlmmnnlmmmmmmmmnmmmmmmmmmmlmjnnmmkjnnmmmmmmmmmmmini"
+     "mmmmmmmhnkmmmnlmmmnnlmjmmmmmmmmmnnnlmmmmmmnmolmlnmmmmmmmmnpmlmmmmmmmkmmmmnmolmmmmmmmmmmlolomn"
+     "mlnlllinmonlpmnjmkmnnmmmnmnmmnlnnmpllmmmlmlntknlmpomjmlmmlmmmmmmjmmlmmmmmmhojpmmmmnmolmnminol"
+     "mmmmmmjlonmmmmmmmmmomkomlmjlmomklmmmlmmnm"},
+    {{{12, 2049}, {8, 51}, {5, 345}, {4, 512}, {16, 0}, {14, 1432}},
+     "nllmmnmmnmnmmmmmlnlmllnlmmjllmnmmmmmmmmmimlmmllnmmommnmlmmmmmlmlmmmmnmkllomlmlomnnlnmmklnmnmm"
+     "mmnlmmmmlmlmlmkmmmmlnmkmlmlmmnmmomnlmmllmmpmnlmlnlnllnmmmmmmlnkmolmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmkomlmmmmmmmmmmmpnmlmppkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{5, 821}, {12, 1592}, {2, 800}, {14, 1816}, {14, 2221}, {5, 515}},
+     "mlmmmmmlnmmmmmmmmmmmmnmmmlmmlmommmmolommlnlmlonmlmmmmmmmmmmmjmplnmmmnmnmlnmsmllmnlmnmllnmmmmm"
+     "mmmmmmmkmnmmlmlmmmmmmmpmlmmmmmmmilnpmmmmmmmmmmmmmmmmlmmmmmmmmmjkmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmjllmmmmmmmmmmmmmmmmmimllmmmmmmlnknmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmlqmlmmmmmmmmmmmmmmmmgnmlmmmmmmnmlmm"},
+    {{{9, 0}, {4, 320}, {14, 1104}, {12, 832}, {5, 345}, {7, 56}},
+     "mmmmmmmmmmomlmljmlmlmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmllmnmlmmnlmmmmmmmmmmfnlnmmmmmmnmllmnlmlmmnk"
+     "nlmomnlmmmmmllmmnlllmmmnlnlknlnmnjmmmknknllmlnmlnlmmkmlnmnmmmmnnmmmmmmmmmmmmmnnnmmnmnlommmmmm"
+     "mmmmnmnmnmmmmmmmmmmmmmmmrmnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllpmmnlnlnmmmmmmmmmmmmmmmnknk"
+     "nmmmmmmmmlmmknnmkmmlmmmmmmmmmmmmnnmmlnmnm"},
+    {{{0, 704}, {8, 21}, {6, 136}, {7, 18}, {15, 0}, {16, 0}},
+     "mmmmmllmnmmmmmmmmlmmlmmmmjmlolmkmmmnmmommlqnmlnmmmnlmlmnmlmminikmmmnnmmnnmmmomlmnmnmmmmmmmmnn"
+     "mmpllmmmmmmmnmmlmmmmmmlnnlmnmnnmkllnmklnlmmmmlmjkpnnnkommolmmmmmllmmmmmmmmmmmmmmmmmmmmmmmmmml"
+     "olpmmmmmmpmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlkmmnmmmmmmmmmnmmmmmmmmmkjmnmmmmmmolmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{2, 1088}, {0, 640}, {11, 222}, {3, 928}, {14, 2336}, {1, 1072}},
+     "mmlnmnmmmnfpmommmmmmmmmmmllnnmlnkmnpllnmkmmmmmmmmmmmmmmmmmmmkollmlmmmmpmnlmmmmmmnmmmmmllmnmmm"
+     "mmmmmmmnplpmpmllmqmmmmmmmmmlmnmlmmmmnmmmmmmmmmmljqommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmh"
+     "nolmmmmmmlmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmolnmmmmmmmnmml"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmnolmmmmmmmmmmm"},
+    {{{2, 640}, {6, 255}, {13, 1844}, {0, 384}, {15, 0}, {14, 1886}},
+     "mmnmnmmmmmnlllmmlmlmllmmmmmmmmllnmnmllmmnommmmmmmmmmmmmmnmmmqlmlmmmmmmmmmmmnlklmlmkmmlmnmmmmm"
+     "mmnmlmmimlmmlmllmmmmmmmmhnmmmmmmmmmmmmmmmmlnnmmmmmmmmmmmmmmmmmmmmmmmmmlmknknmlnlmnknommmmmmmk"
+     "mnkmlmnlnnmmmmnpmnmmmmmmmmmmmommmmnpmlmmmmmmmmmmmnmlmmjlkmmgqnlmmmmmmpllmmjmmnmjmnkmmmmmmpmnn"
+     "mkkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{4, 288}, {5, 788}, {13, 1056}, {4, 460}, {3, 1440}, {7, 18}},
+     "lllmmmmnmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmcojpmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmgjnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmnmlkmnmmmmmmnnmlmm"
+     "mmmmmmnmmmmmnmolommmmmmmmmmmmmmmmmklmnmjmjlmoomkmonlmmlojnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mommmmmmmmmmmmmmmmmmmlpmmmmmmmmmmmmmmmmmm"},
+    {{{11, 230}, {13, 512}, {0, 576}, {1, 864}, {14, 1652}, {10, 96}},
+     "lmlnmmmmmmlnmlmlnmmmnmnlmmmlmlpllnmlmnlmkomnmmnmnmkmlommmmmmnlnmnomllmmnmnmollllnmnmmolommmmm"
+     "mmolkmmkmnnmmmkmmjmmmmolmlmnqknmmmmmmtklkmmmmmmlmmnmmnmomnmlmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmljpommmmmmmmmmmmmmmmkmnmmmmmmmknmlmmmmmmmmmmmmmlmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmnnlmmmmmmmmmmmmmmmm"},
+    {{{4, 384}, {12, 1592}, {11, 40}, {14, 2042}, {0, 512}, {13, 800}},
+     "kmkomjlmmmlolnmnnimmkmjnmolmmmkomnmololmmlmmmllnlmllmmmnmlmmpmkmmlmnmmlnmmmmmmmmmmmmmkomlmmmm"
+     "mmknnkmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnnmmommlmslnlmmmmlmn"
+     "llmmollnmpkmmmmmmmmomnlmlnmnmnnmlmmnommkmnmmkmmmmqmnlmnkommmmmlmmmmmmhlpomnmlmmmnlmmmmmmmrmkn"
+     "mmmmmmmmmpmimmommmmmmmmmmmikmmmommlmmmmmm"},
+    {{{0, 640}, {1, 1216}, {9, 0}, {14, 1040}, {5, 384}, {11, 128}},
+     "nmmmmnlmmmlmlnmlmlmllmlmmljpkpnmmmmkmmmmmlnlnnmnmommolmnnnmnmkmjmlmmmmllommmmmmmmmmmmmmmmmmmm"
+     "mmmlmmmmmnmmmmmmmkmmmmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllmnmlmmnmmmmmmmmmmmmmmmmjmikmknmomm"
+     "mmmmooknmqmlnmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmknmommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmololmpnmlm"},
+    {{{10, 116}, {5, 409}, {11, 113}, {7, 38}, {14, 1652}, {6, 106}},
+     "jnjmmmmlmnjomnmlnnlmmmmlmlmmmmkmmmmmmmmmlmlmmnmlmmmmlmmmmmmmnnnlolnlmlmmmmmmmmmmqmplmmmmmmtlm"
+     "lmlmmmmnlmmmkkqnnnnmmmmnmmmmmmmmlmnnmkmnmmkmnlmlmklmmmmmmqmnkmnmlmmmnkmlollkmnmnmmmmmmmmnmnln"
+     "mmmmmnlnmolmmmmmmmmmmmmmlmmmmmmmmmnknlmmlnmnjkoknmmmmmmnjommnjnmjnkmmmlmkmmnmomnmlnmmmnlmomln"
+     "mnnmlmmmmnnkmnmmmnmmmlplnknlnmmlmlmmollmm"},
 };
 /* To here. */
 /* clang-format on */
@@ -252,6 +215,13 @@ static double rough_logarithm(double x)
     return exponent - 2 + 2 * mantissa;
 }
 
+/* The inverse of that, but for the 1. */
+static double rough_power(double x)
+{
+    double whole = floor(x);
+    return ldexp(1 + x - whole, (int)whole);
+}
+
 static size_t find_leaf(const tree *t, const int *mark)
 {
     size_t leaf = 0;
@@ -260,37 +230,50 @@ static size_t find_leaf(const tree *t, const int *mark)
     return leaf;
 }
 
-void fmb_selection_score(const fmb_features *f, int *score)
+static void foretell(const fmb_features *f, int *told)
 {
     int mark[FMB_FEATURE_COUNT];
     for (int k = 0; k < FMB_FEATURE_COUNT; k++)
         mark[k] = (int)(MARKS * rough_logarithm(fmb_features_value(f, (fmb_feature_id)k)));
-    memcpy(score, START, sizeof START);
+    memcpy(told, START, sizeof START);
     for (size_t t = 0; t < sizeof TREE / sizeof *TREE; t++) {
-        const char *leaf = &TREE[t].leaf[find_leaf(&TREE[t], mark) * PIPELINE_COUNT];
-        for (int k = 0; k < PIPELINE_COUNT; k++)
-            score[k] += leaf[k] - NEUTRAL;
+        const char *leaf = &TREE[t].leaf[find_leaf(&TREE[t], mark) * FORETOLD_COUNT];
+        for (int k = 0; k < FORETOLD_COUNT; k++)
+            told[k] += leaf[k] - NEUTRAL;
     }
 }
 
-int fmb_selection_best(const fmb_features *f)
+/* Entries of a row, and the bits of its numbers, tell what a step of any engine takes. */
+static double unit_of_work(const fmb_features *f)
 {
-    int score[FMB_MOST_PIPELINES], best = 0;
-    fmb_selection_score(f, score);
-    for (int k = 1; k < PIPELINE_COUNT; k++)
-        if (score[k] < score[best])
-            best = k;
-    return best;
+    return 16 * (double)f->entries * (double)(64 + f->minor_bits);
 }
 
-fmb_pipeline fmb_selection_pipeline(const fmb_features *f)
+/* A bound, or a row that names few variables, holds up most directions. */
+static bool tries_recession(const fmb_features *f)
 {
-    int pipeline = fmb_selection_best(f);
+    return 4 * f->entries >= 3 * f->rows * f->columns && f->bounds == 0;
+}
+
+/* Bounded elimination that does not answer has cost no more than the best engine was expected to.
+ */
+fmb_choice fmb_selection_of(const fmb_features *f)
+{
+    int told[FORETOLD_COUNT];
+    double unit = unit_of_work(f), least = INFINITY;
 #ifdef FMB_ABLATE
-    if (fmb_selection_forced >= 0)
-        pipeline = fmb_selection_forced;
+    if (fmb_selection_forced)
+        return *fmb_selection_forced;
 #endif
-    return pipeline_of_name(f, &PIPELINE[pipeline]);
+    foretell(f, told);
+    fmb_choice c = {.recession = tries_recession(f)};
+    for (int k = 0; k < FMB_ENGINES; k++) {
+        int parts = told[FORETOLD_BEST] + told[FORETOLD_RAYS + k];
+        c.work[k] = unit * rough_power((double)parts / PARTS);
+        least = fmin(least, c.work[k]);
+    }
+    c.bounded = told[FORETOLD_BOUNDED] < 0 ? 1 + (uint64_t)least : 0;
+    return c;
 }
 
 /* ---- bounded elimination --------------------------------------------------------------------- */

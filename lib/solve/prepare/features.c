@@ -41,6 +41,7 @@ static void note_row(const fmb_reduced_part *h, const fmb_derived *r, fmb_featur
     size_t n = (size_t)h->e.n, nonzero = (size_t)fmb_elim_count_variables(&h->e, r);
     size_t dropped = count_dropped_variables(h, r);
     f->entries += nonzero;
+    f->equalities += r->equality;
     f->bounds += nonzero == 1;
     f->kept_rows += dropped == 0;
     f->dropped_rows += dropped == nonzero;
@@ -51,16 +52,10 @@ static void note_row(const fmb_reduced_part *h, const fmb_derived *r, fmb_featur
 static void note_rows_left(const fmb_reduced_part *h, fmb_features *f)
 {
     const fmb_elim *e = &h->e;
-    bool wide = false, all_long = true;
     f->rows = e->live.size;
     f->has_origin = true;
-    for (size_t i = 0; i < e->live.size; i++) {
-        const fmb_derived *r = &e->row[e->live.row[i]];
-        note_row(h, r, f);
-        wide |= fmb_vec_is_wide(&r->v);
-        all_long &= fmb_vec_is_wide(&r->v) || r->v.bits > FMB_LAZY_BITS;
-    }
-    f->is_long = wide || all_long;
+    for (size_t i = 0; i < e->live.size; i++)
+        note_row(h, &e->row[e->live.row[i]], f);
 }
 
 /* An equality counts for both signs. */
@@ -73,7 +68,11 @@ static void note_column(const fmb_reduced_part *h, size_t j, fmb_features *f)
         up += sign > 0 || (sign < 0 && r->equality);
         down += sign < 0 || (sign > 0 && r->equality);
     }
-    f->most_pairs = up * down > f->most_pairs ? up * down : f->most_pairs;
+    if (up * down == 0)
+        return;
+    size_t pairs = up * down, growth = pairs > up + down ? pairs - up - down : 0;
+    f->most_pairs = pairs > f->most_pairs ? pairs : f->most_pairs;
+    f->least_growth = growth < f->least_growth ? growth : f->least_growth;
 }
 
 fmb_features fmb_features_of(const fmb_reduced_part *reduced)
@@ -82,20 +81,18 @@ fmb_features fmb_features_of(const fmb_reduced_part *reduced)
     f.is_wide = has_wide_row(reduced->p);
     f.columns = (size_t)reduced->p->n - (size_t)reduced->e.rounds;
     note_rows_left(reduced, &f);
+    f.least_growth = SIZE_MAX;
     for (int j = 0; j < reduced->e.n; j++)
         if (reduced->drop[j])
             note_column(reduced, (size_t)j, &f);
+    if (f.most_pairs == 0)
+        f.least_growth = 0;
     f.minor_bits = fmb_elim_minor_bits(&reduced->e);
 #ifdef FMB_ABLATE
     if (fmb_features_watch.hear)
         fmb_features_watch.hear(fmb_features_watch.self, &f, reduced);
 #endif
     return f;
-}
-
-bool fmb_features_are_dense(const fmb_features *f)
-{
-    return 4 * f->entries >= 3 * f->rows * f->columns;
 }
 
 #define FMB_FEATURE_NAME(id, name, value) [FMB_FEATURE_##id] = name,

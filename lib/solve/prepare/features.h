@@ -15,15 +15,15 @@ typedef struct fmb_features {
     /* What is left of it. */
     size_t columns, rows; /* variables and rows */
     size_t entries;       /* coefficients */
+    size_t equalities;    /* rows */
     size_t bounds;        /* rows with one coefficient */
     size_t kept_rows;     /* rows of variables that stay alone, */
     size_t dropped_rows;  /* and of such that go */
     size_t homogeneous;   /* rows with right side 0 */
     size_t most_pairs;    /* rows of opposite signs in a variable that goes, the most of all */
+    size_t least_growth;  /* so many rows more than go are made of these, the fewest of all */
     size_t minor_bits;    /* about as long is a minor of all columns, if rows are like the mean of
                              them [bits] */
-    bool is_long;         /* some numbers are longer than a word, or so long in all rows that those
-                             of combinations will be */
     bool has_origin;      /* all variables at 0 are a solution */
 } fmb_features;
 
@@ -44,8 +44,11 @@ static inline double fmb_features_share(size_t part, size_t whole)
     F(DENSITY, "density", fmb_features_share(f->entries, f->rows * f->columns))                    \
     F(KEPT_ROWS, "share of rows that only stay", fmb_features_share(f->kept_rows, f->rows))        \
     F(DROPPED_ROWS, "share of rows that only go", fmb_features_share(f->dropped_rows, f->rows))    \
+    F(EQUALITIES, "share of equalities", fmb_features_share(f->equalities, f->rows))               \
+    F(BOUNDS, "share of bounds", fmb_features_share(f->bounds, f->rows))                           \
     F(HOMOGENEOUS, "share of rows through 0", fmb_features_share(f->homogeneous, f->rows))         \
     F(MOST_PAIRS, "pairs of a variable", f->most_pairs)                                            \
+    F(LEAST_GROWTH, "rows more by a variable", f->least_growth)                                    \
     F(MINOR_BITS, "bits of a minor", f->minor_bits)                                                \
     F(WIDE, "wide numbers", f->is_wide)                                                            \
     F(ORIGIN, "0 is a solution", f->has_origin)
@@ -55,9 +58,6 @@ typedef enum fmb_feature_id {
     FMB_FEATURE_VALUES(FMB_FEATURE_IDENTIFIER) FMB_FEATURE_COUNT
 } fmb_feature_id;
 #undef FMB_FEATURE_IDENTIFIER
-
-/* Are three of four coefficients there? */
-bool fmb_features_are_dense(const fmb_features *f);
 
 /* Looks at each coefficient twice. What follows holds while the reduced part stays as it is. */
 fmb_features fmb_features_of(const fmb_reduced_part *reduced);

@@ -110,13 +110,12 @@ static fmb_status open_look(const fmb_view *w, const bool *drop, look **opened)
     return st;
 }
 
-/* *done false: a slice is over, and *share of it is done. */
-static fmb_status go_on_looking(const fmb_elim *e, look *l, double *share, bool *done)
+/* *done false: a slice is over. */
+static fmb_status go_on_looking(const fmb_elim *e, look *l, bool *done)
 {
     size_t open = 0;
     fmb_status st =
         l->sorted ? FMB_OK : fmb_lp_sort_rows(e->run, e->n, l->at.size, l->at.row, &l->sorting);
-    *share = l->sorting.tested;
     *done = false;
     if (st != FMB_OK || l->sorting.paused)
         return st;
@@ -124,7 +123,6 @@ static fmb_status go_on_looking(const fmb_elim *e, look *l, double *share, bool 
     if (leaves_doubts(e, l))
         st = decide_rows_exactly(e, l, &open);
     *done = open == 0;
-    *share = *done ? 1 : 1 - (double)open / (double)l->at.size;
     return st;
 }
 
@@ -133,14 +131,12 @@ static fmb_status look_at_rows(const fmb_view *w, bool *drop)
 {
     fmb_elim *e = w->e;
     look *l = e->at.look;
-    double share = 1;
     bool done = false;
     fmb_status st = l ? FMB_OK : open_look(w, drop, &l);
-    FMB_THEN(st, go_on_looking(e, l, &share, &done));
+    FMB_THEN(st, go_on_looking(e, l, &done));
     e->at.pruning = st == FMB_OK && !done;
     e->at.look = e->at.pruning ? l : NULL;
     e->at.close_look = close_look;
-    e->at.pruned = share;
     for (size_t i = 0; st == FMB_OK && !e->at.pruning && i < l->at.size; i++)
         drop[l->at.place[i]] |= l->at.gone[i];
     if (l && !e->at.pruning)

@@ -1,5 +1,5 @@
 /* second_rays.c: where rays seem to be few, they go on to the end before the oracle is asked; where
- * they seem to be many, they do not.
+ * they seem to be many, others end before them.
  */
 #include <criterion/criterion.h>
 
@@ -48,7 +48,7 @@ static void check_pairs(const shape *k, uint64_t seed, bool by_rays_alone)
     fmb_system *s = rows_around_origin(&g, k), *p = NULL, *q = NULL;
     uint64_t pairs = project(s, k->keep, FMB_METHOD_AUTO, &p).stats.pairs;
     uint64_t all = project(s, k->keep, FMB_METHOD_DD, &q).stats.pairs;
-    cr_expect_gt(pairs, 0);
+    cr_expect_gt(all, 0);
     cr_expect(by_rays_alone ? pairs == all : pairs < all, "%d to %d, seed %d: %lu of %lu", k->dim,
               k->keep, (int)seed, (unsigned long)pairs, (unsigned long)all);
     cr_expect(agree_same(&same, p, q), "%d to %d, seed %d: %s", k->dim, k->keep, (int)seed,
@@ -69,5 +69,5 @@ Test(second_rays, end_projections_with_few_rays)
 Test(second_rays, are_not_made_of_cones_with_many)
 {
     for (uint64_t seed = 0; seed < 2; seed++)
-        check_pairs(&(shape){10, 4, 22, 0}, seed, false);
+        check_pairs(&(shape){14, 4, 28, 0}, seed, false);
 }

@@ -1,5 +1,5 @@
-/* slices.c: engines that go on where they stopped: whose turn it is, what trends tell, and that
- * stops and goes change nothing.
+/* slices.c: engines that go on where they stopped: whose turn it is, and that stops and goes change
+ * nothing.
  */
 #include <criterion/criterion.h>
 #include <math.h>
@@ -8,115 +8,62 @@
 #include "property/random/agree.h"
 #include "solve/portfolio/slices.h"
 #include "support.h"
-#include "trace/trend.h"
 
 /* ---- whose turn it is ------------------------------------------------------------------------ */
 
-static fmb_slices three_engines(double left0, double left1, double left2)
+static fmb_slices three_engines(double expected0, double expected1, double expected2)
 {
-    return (fmb_slices){.engines = 3,
-                        .engine = {{.left = left0, .share = 1},
-                                   {.left = left1, .share = 1},
-                                   {.left = left2, .share = 2}}};
+    return (fmb_slices){
+        .engines = 3,
+        .engine = {{.expected = expected0}, {.expected = expected1}, {.expected = expected2}}};
 }
 
-/* Without estimates all do their shares, up to a slice, and one that gave up does nothing. */
-Test(slices, are_equal_where_nobody_can_tell)
+/* The one that is expected to take least goes first, but no longer than six times what the next one
+ * is expected to; then that one goes on as long. */
+Test(slices, first_engine_gets_what_the_next_is_expected_to_take)
 {
-    fmb_slices t = three_engines(INFINITY, INFINITY, INFINITY);
-    t.engine[1].over = true;
+    fmb_slices t = three_engines(3e6, 1e6, 1e12);
     uint64_t slice;
-    for (int i = 0; i < 200; i++) {
-        size_t k = fmb_slices_next(&t, &slice);
-        cr_assert(k != 1 && slice > 0);
-        fmb_slices_note(&t, k, slice);
-    }
-    double ratio = 2 * (double)t.engine[0].spent / (double)t.engine[2].spent;
-    cr_expect(ratio > 0.75 && ratio < 1.34, "%g", ratio);
-    cr_expect_eq(t.engine[1].spent, 0);
-    cr_expect_eq(t.ahead, 0);
+    cr_expect_eq(fmb_slices_next(&t, &slice), 1);
+    cr_expect_eq(slice, (uint64_t)18e6);
+    t.engine[1].spent = slice;
+    cr_expect_eq(fmb_slices_next(&t, &slice), 0);
+    cr_expect_eq(slice, (uint64_t)27e6);
 }
 
-/* Whoever needs w, with one share of four, ends before all have done 7 w together, whatever others
- * say: 4 w and slices of a quarter, and half as much by runs ahead. */
+/* Who has given up does nothing, and the last one that has not goes on to its end. */
+Test(slices, of_the_last_engine_have_no_end)
+{
+    fmb_slices t = three_engines(3e6, 1e6, 1e12);
+    uint64_t slice;
+    t.engine[1].over = true;
+    cr_expect_eq(fmb_slices_next(&t, &slice), 0);
+    t.engine[0].over = true;
+    cr_expect_eq(fmb_slices_next(&t, &slice), 2);
+    cr_expect_eq(slice, 0);
+}
+
+/* Whoever takes w and is expected to take e ends before all have done w + 12 max(e, w / 4)
+ * together, but for their least slices, whatever is expected of others. */
 Test(slices, cost_a_bounded_factor)
 {
-    static const double lies[] = {INFINITY, 1e3, 1e6, 1e9, 1e12};
-    const uint64_t need = (uint64_t)1 << 32;
-    for (size_t i = 0; i < sizeof lies / sizeof *lies; i++)
-        for (size_t j = 0; j < sizeof lies / sizeof *lies; j++) {
-            fmb_slices t = three_engines(lies[i], INFINITY, lies[j]);
-            uint64_t slice, total = 0;
-            while (t.engine[1].spent < need) {
-                size_t k = fmb_slices_next(&t, &slice);
-                fmb_slices_note(&t, k, slice);
-                total += slice;
-            }
-            cr_expect_leq((double)total / (double)need, 7, "%g %g: %g", lies[i], lies[j],
-                          (double)total / (double)need);
+    static const double expected[] = {1, 1e3, 1e6, 1e9, 1e12, 1e15};
+    enum { COUNT = sizeof expected / sizeof *expected };
+    const double need = (double)((uint64_t)1 << 32);
+    for (size_t i = 0; i < COUNT * COUNT * COUNT; i++) {
+        double e = expected[i % COUNT];
+        fmb_slices t = three_engines(expected[i / COUNT % COUNT], e, expected[i / COUNT / COUNT]);
+        double total = 0;
+        for (uint64_t slice; (double)t.engine[1].spent < need;) {
+            size_t k = fmb_slices_next(&t, &slice);
+            double left = need - (double)t.engine[1].spent;
+            bool ends = k == 1 && (double)slice >= left;
+            t.engine[k].spent += ends ? (uint64_t)left : slice;
+            total += ends ? left : (double)slice;
         }
-}
-
-/* One that needs less than half of what others do runs ahead, once it is worth less than what all
- * have done; one that needs as much does not. */
-Test(slices, let_one_run_ahead)
-{
-    fmb_slices t = three_engines(1e8, 1e9, INFINITY);
-    uint64_t slice;
-    t.engine[0].spent = t.engine[1].spent = t.engine[2].spent = (uint64_t)1e8;
-    t.equal = (uint64_t)3e8;
-    t.engine[0].left = 5e7;
-    cr_expect_eq(fmb_slices_next(&t, &slice), 0);
-    cr_expect(t.runs_ahead && slice >= (uint64_t)5e7);
-    t.engine[1].left = 6e7;
-    fmb_slices_next(&t, &slice);
-    cr_expect_not(t.runs_ahead);
-    t.engine[1].left = INFINITY;
-    t.engine[0].left = 1e9;
-    fmb_slices_next(&t, &slice);
-    cr_expect_not(t.runs_ahead, "it cannot end in time");
-}
-
-/* ---- trends ---------------------------------------------------------------------------------- */
-
-/* Steps that grow by a factor that fades away linearly, as rays do: what is left is told to a
- * factor of 1.6 in the last third of them. */
-Test(slices, trends_tell_what_is_left)
-{
-    enum { STEPS = 24 };
-    double work[STEPS], all = 0, done = 0;
-    fmb_trend t = {0};
-    uint64_t at = 0;
-    for (int i = 0; i < STEPS; i++) {
-        work[i] = i == 0 ? 1e4 : work[i - 1] * exp(0.5 * (1 - (double)i / STEPS));
-        all += work[i];
+        cr_expect_leq(total, need + 12 * fmax(e, need / 4) + 3 * 65536, "%g %g %g: %g",
+                      t.engine[0].expected, e, t.engine[2].expected, total / need);
     }
-    cr_expect(isinf(fmb_trend_left(&t, 0, STEPS)));
-    for (int i = 0; i < STEPS; i++) {
-        fmb_trend_go_on(&t, at);
-        at += (uint64_t)work[i] / 2;
-        fmb_trend_pause(&t, at);
-        at += 1000000; /* somebody else's */
-        fmb_trend_go_on(&t, at);
-        at += (uint64_t)work[i] / 2;
-        fmb_trend_end_step(&t, at);
-        done += work[i];
-        double told = fmb_trend_left(&t, 0, (size_t)(STEPS - 1 - i));
-        if (3 * i >= 2 * STEPS && i + 1 < STEPS)
-            cr_expect(told / (all - done) > 1 / 1.6 && told / (all - done) < 1.6, "%d: %g", i,
-                      told / (all - done));
-    }
-    cr_expect_eq(fmb_trend_left(&t, 0, 0), 0);
-}
-
-/* A step on its way of which a quarter is done. */
-Test(slices, trends_tell_of_the_step_on_its_way)
-{
-    fmb_trend t = {0};
-    fmb_trend_go_on(&t, 0);
-    fmb_trend_pause(&t, 1000);
-    cr_expect_eq(fmb_trend_left(&t, 0.25, 1), 3000);
-    cr_expect(isinf(fmb_trend_left(&t, 0, 1)));
 }
 
 /* ---- on systems ------------------------------------------------------------------------------ */

@@ -1,8 +1,9 @@
-/* ways_taken.c: which way of a projection is taken, and which is next, for a problem of each
- * family: as written down in ways_taken.txt. FMB_WRITE=FILE writes that file anew.
+/* ways_taken.c: which ways of a projection are tried first, and which are next, for a problem of
+ * each family: as written down in ways_taken.txt. FMB_WRITE=FILE writes that file anew.
  */
 #include <criterion/criterion.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,34 +15,27 @@
 #include "study/program/projection.h"
 #include "support.h"
 
-static const char *const STEP[FMB_STEPS] = {
-    [FMB_STEP_RECESSION] = "recession",       [FMB_STEP_BOUNDED] = "bounded elimination",
-    [FMB_STEP_PRUNED] = "pruned elimination", [FMB_STEP_RAYS] = "rays",
-    [FMB_STEP_QUERIES] = "queries",
+static const char *const ENGINE[FMB_ENGINES] = {
+    [FMB_ENGINE_RAYS] = "rays",
+    [FMB_ENGINE_ELIMINATION] = "pruned elimination",
+    [FMB_ENGINE_QUERIES] = "queries",
 };
 
-static int find_second(const int *score, int best)
-{
-    int second = -1;
-    for (int k = 0; fmb_selection_name(k); k++)
-        if (k != best && (second < 0 || score[k] < score[second]))
-            second = k;
-    return second;
-}
-
-/* The pipeline, and what is second best. */
+/* First steps, and engines with the work that they are expected to take, the least first. */
 static void tell_choice(FILE *out, const fmb_features *f)
 {
-    int score[FMB_MOST_PIPELINES], best = fmb_selection_best(f);
-    fmb_selection_score(f, score);
-    int second = find_second(score, best);
-    fprintf(out, "    %s:", fmb_selection_name(best));
-    fmb_pipeline p = fmb_selection_pipeline(f);
-    for (int k = 0; k < FMB_MOST_STEPS && p.step[k].kind != FMB_STEP_NONE; k++)
-        fprintf(out, "%s %s", k > 0 ? "," : "", STEP[p.step[k].kind]);
-    fprintf(out, "\n    by %.2f rather than %s\n",
-            (double)(score[second] - score[best]) / FMB_SELECTION_PARTS,
-            fmb_selection_name(second));
+    fmb_choice c = fmb_selection_of(f);
+    fprintf(out, "    %s%s", c.recession ? "recession direction, " : "",
+            c.bounded > 0 ? "bounded elimination, " : "");
+    for (int n = 0; n < FMB_ENGINES; n++) {
+        int next = 0;
+        for (int k = 1; k < FMB_ENGINES; k++)
+            if (c.work[k] < c.work[next])
+                next = k;
+        fprintf(out, "%s%s %.0f", n > 0 ? ", " : "", ENGINE[next], c.work[next]);
+        c.work[next] = INFINITY;
+    }
+    fputc('\n', out);
 }
 
 /* Of the largest part that is left once cheap variables are gone. */
