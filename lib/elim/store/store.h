@@ -58,7 +58,7 @@ typedef struct fmb_tally {
 typedef struct fmb_pairing {
     bool running, pruning;          /* paused among its pairs; or while a rule looks at all rows, */
     int pruner;                     /* which is this worker, */
-    void *look;                     /* which keeps what it knows here, */
+    void *look;                     /* which keeps here what it has found, */
     void (*close_look)(void *look); /* to be closed so by fmb_elim_clear */
     size_t lowers, next;
     fmb_tally before;
