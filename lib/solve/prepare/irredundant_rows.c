@@ -100,16 +100,16 @@ static fmb_status list_rows_left(remains *h)
     return FMB_OK;
 }
 
-/* Drop the rows that are gone; note which are kept. */
-static void apply_sorting(remains *h, const fmb_sorting *sorting)
+/* Drop the rows that are gone; note which are kept, and which as equalities. */
+static void apply_sorting(remains *h, const fmb_sorting *sorting, const bool *tight)
 {
     size_t left = 0;
     for (size_t k = 0; k < h->e->live.size; k++) {
         if (sorting->gone[k])
             continue;
         h->e->live.row[left] = h->e->live.row[k];
-        h->row[left] = h->row[k];
-        h->rel[left] = h->rel[k];
+        h->rel[left] = tight[k] ? FMB_EQ : h->rel[k];
+        h->row[left] = (fmb_lp_row){h->row[k].v, h->rel[left]};
         h->fate[left] = sorting->kept[k] ? FMB_FATE_KEPT : FMB_FATE_UNKNOWN;
         left++;
     }
@@ -117,7 +117,7 @@ static void apply_sorting(remains *h, const fmb_sorting *sorting)
 }
 
 /* What a guess finds is cheap, and mostly all. *inner: the projection has a point strictly inside
- * its rows. */
+ * its rows. That a row is an equality, the oracle proves. */
 static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, bool *inner)
 {
     fmb_mem *mem = h->q->run.mem;
@@ -125,15 +125,17 @@ static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, boo
     fmb_sorting sorting = {.gone = fmb_mem_zero(mem, m, sizeof *sorting.gone),
                            .kept = fmb_mem_zero(mem, m, sizeof *sorting.kept),
                            .known = known};
-    fmb_status st = sorting.gone && sorting.kept ? FMB_OK : fmb_mem_status(mem);
+    bool *tight = fmb_mem_zero(mem, m, sizeof *tight);
+    fmb_status st = sorting.gone && sorting.kept && tight ? FMB_OK : fmb_mem_status(mem);
     FMB_THEN(st, fmb_substituted_rows_sort(&h->q->run, &h->q->v->arena, &h->e->num, (size_t)h->p->n,
-                                           m, h->row, &sorting));
+                                           m, h->row, &sorting, h->q->claims ? NULL : tight));
     if (st == FMB_OK)
-        apply_sorting(h, &sorting);
+        apply_sorting(h, &sorting, tight);
     *inner = sorting.inner;
     *feasible = sorting.feasible;
     fmb_mem_put(mem, sorting.gone, m, sizeof *sorting.gone);
     fmb_mem_put(mem, sorting.kept, m, sizeof *sorting.kept);
+    fmb_mem_put(mem, tight, m, sizeof *tight);
     return st;
 }
 

@@ -1,5 +1,8 @@
 /* substituted_rows.c: see substituted_rows.h.
  *
+ * While that goes on, rows are settled: an equality that was substituted is kept, what has become
+ * constant or follows from one is gone; all others are open.
+ *
  * An inequality plus a multiple of an equality, times a positive number, is satisfied by the same
  * solutions of the equality. So of the rows after substitution one is implied by others if and only
  * if that holds before, beside the equalities; and an equality that has become 0 = 0 follows from
@@ -18,6 +21,7 @@ typedef struct substitution {
     size_t *number;  /* and which they are */
     size_t rows;
     fmb_sorting *out;
+    bool *tight; /* [m] inequalities that turned out to be equalities; NULL: none is looked for */
 } substitution;
 
 static bool are_rows_small_with_equality(size_t m, const fmb_lp_row *row)
@@ -65,9 +69,9 @@ static size_t find_pivot(const substitution *t, size_t i)
 static fmb_status substitute_equality(substitution *t, size_t i, size_t pivot, fmb_num *num,
                                       bool *small)
 {
+    t->out->kept[i] = true;
     for (size_t k = 0; *small && k < t->m; k++) {
-        bool done = k <= i && t->from[k].rel == FMB_EQ;
-        if (done || t->v[k].s[pivot] == 0)
+        if (t->out->kept[k] || t->v[k].s[pivot] == 0)
             continue;
         FMB_TRY(fmb_vec_cancel(&t->v[k], &t->v[k], &t->v[i], t->n + 1, pivot, num));
         *small = !fmb_vec_is_wide(&t->v[k]);
@@ -89,30 +93,76 @@ static fmb_status substitute_all_equalities(substitution *t, fmb_num *num, bool 
 {
     for (size_t i = 0; *small && i < t->m; i++) {
         size_t pivot = t->from[i].rel == FMB_EQ ? find_pivot(t, i) : t->n;
-        if (pivot < t->n) {
-            t->out->kept[i] = true;
+        if (pivot < t->n)
             FMB_TRY(substitute_equality(t, i, pivot, num, small));
-        } else if (t->from[i].rel == FMB_EQ) {
+        else if (t->from[i].rel == FMB_EQ)
             settle_constant_row(t, i);
-        }
     }
     return FMB_OK;
 }
 
-static fmb_status list_inequalities(substitution *t, fmb_num *num)
+/* ---- inequalities ---------------------------------------------------------------------------- */
+
+static bool is_settled(const substitution *t, size_t i)
+{
+    return t->out->gone[i] || t->out->kept[i];
+}
+
+/* Those left name variables, and have no common divisor. */
+static fmb_status reduce_open_inequalities(substitution *t, fmb_num *num)
 {
     for (size_t i = 0; i < t->m; i++) {
-        if (t->from[i].rel == FMB_EQ)
+        if (is_settled(t, i))
             continue;
         FMB_TRY(fmb_vec_reduce(&t->v[i], t->n + 1, num));
-        if (find_pivot(t, i) == t->n) {
+        if (find_pivot(t, i) == t->n)
             settle_constant_row(t, i);
-        } else {
-            t->number[t->rows] = i;
-            t->row[t->rows++] = (fmb_lp_row){&t->v[i], t->from[i].rel};
-        }
     }
     return FMB_OK;
+}
+
+static bool are_opposite(const fmb_vec *a, const fmb_vec *b, size_t n)
+{
+    size_t j = 0;
+    while (j < n && a->s[j] == -b->s[j])
+        j++;
+    return j == n;
+}
+
+/* Two inequalities that say a.x <= b and a.x >= b. */
+static bool find_opposites(const substitution *t, size_t *first, size_t *second)
+{
+    for (size_t i = 0; i < t->m; i++)
+        for (size_t k = i + 1; !is_settled(t, i) && k < t->m; k++)
+            if (!is_settled(t, k) && are_opposite(&t->v[i], &t->v[k], t->n + 1)) {
+                *first = i;
+                *second = k;
+                return true;
+            }
+    return false;
+}
+
+/* The first of two such becomes an equality, from which the second follows. */
+static fmb_status substitute_opposites(substitution *t, fmb_num *num, bool *small)
+{
+    size_t i, k;
+    while (*small && t->out->feasible && t->tight && find_opposites(t, &i, &k)) {
+        t->out->feasible = t->from[i].rel == FMB_LE && t->from[k].rel == FMB_LE;
+        t->tight[i] = t->out->gone[k] = true;
+        FMB_TRY(substitute_equality(t, i, find_pivot(t, i), num, small));
+        FMB_TRY(*small ? reduce_open_inequalities(t, num) : FMB_OK);
+    }
+    return FMB_OK;
+}
+
+static void list_inequalities(substitution *t)
+{
+    for (size_t i = 0; i < t->m; i++) {
+        if (is_settled(t, i))
+            continue;
+        t->number[t->rows] = i;
+        t->row[t->rows++] = (fmb_lp_row){&t->v[i], t->from[i].rel};
+    }
 }
 
 static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *arena)
@@ -132,25 +182,41 @@ static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *ar
     return FMB_OK;
 }
 
-fmb_status fmb_substituted_rows_sort(fmb_run *run, fmb_arena *arena, fmb_num *num, size_t n,
-                                     size_t m, const fmb_lp_row *row, fmb_sorting *out)
+static fmb_status substitute(substitution *t, fmb_num *num, bool *small)
 {
-    substitution t = {.n = n, .m = m, .from = row, .out = out};
+    fmb_status st = substitute_all_equalities(t, num, small);
+    if (st == FMB_OK && *small)
+        st = reduce_open_inequalities(t, num);
+    return st == FMB_OK && *small ? substitute_opposites(t, num, small) : st;
+}
+
+static void forget_substitution(substitution *t, fmb_mem *mem)
+{
+    t->out->feasible = true;
+    for (size_t i = 0; i < t->m; i++) {
+        fmb_vec_clear(&t->v[i], t->n + 1, mem);
+        t->out->gone[i] = t->out->kept[i] = false;
+        if (t->tight)
+            t->tight[i] = false;
+    }
+}
+
+fmb_status fmb_substituted_rows_sort(fmb_run *run, fmb_arena *arena, fmb_num *num, size_t n,
+                                     size_t m, const fmb_lp_row *row, fmb_sorting *out, bool *tight)
+{
+    substitution t = {.n = n, .m = m, .from = row, .out = out, .tight = tight};
     bool small = are_rows_small_with_equality(m, row);
-    fmb_status st = FMB_OK;
     out->feasible = true;
     if (small) {
         FMB_TRY(copy_rows_to_substitute(&t, arena, run->mem));
-        st = substitute_all_equalities(&t, num, &small);
-        for (size_t i = 0; (st != FMB_OK || !small) && i < m; i++) {
-            fmb_vec_clear(&t.v[i], n + 1, run->mem);
-            out->gone[i] = out->kept[i] = false;
-        }
+        fmb_status st = substitute(&t, num, &small);
+        if (st != FMB_OK || !small)
+            forget_substitution(&t, run->mem);
         FMB_TRY(st);
     }
     if (!small)
         return fmb_lp_sort_rows(run, (int)n, m, row, out);
-    FMB_TRY(list_inequalities(&t, num));
+    list_inequalities(&t);
     out->inner = out->feasible && t.rows == 0;
     return out->feasible && t.rows > 0 ? sort_inequalities(&t, run, arena) : FMB_OK;
 }

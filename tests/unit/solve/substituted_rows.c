@@ -17,7 +17,7 @@ typedef struct drawn {
 } drawn;
 
 /* What was met; each is to be. */
-static int insides, outsides, empties, dependents, longs;
+static int insides, outsides, empties, dependents, longs, tights;
 
 /* Rows that hold at a point, or, if `any`, perhaps at none; equalities may be sums of others, and
  * all rows multiples. */
@@ -33,15 +33,19 @@ static void draw_rows(drawn *d, support_rng *g, bool any)
         const fmb_rel rel = support_chance(g, 30)   ? FMB_EQ
                             : support_chance(g, 15) ? FMB_LT
                                                     : FMB_LE;
+        bool turned = i > 0 && support_chance(g, 10); /* the one before, backwards */
         bool sum = i > 1 && rel == FMB_EQ && support_chance(g, 40);
         int64_t value = 0;
         for (size_t j = 0; j < d->n; j++) {
             w[j] = support_chance(g, 50) ? support_between(g, -4, 4) : 0;
             if (sum)
                 w[j] = d->words[i - 1][j] % 100 + d->words[i - 2][j] % 100;
+            else if (turned)
+                w[j] = -(d->words[i - 1][j] % 100);
             value += w[j] * z[j];
         }
-        int64_t slack = rel == FMB_EQ ? 0 : support_between(g, rel == FMB_LT, 6);
+        int64_t slack =
+            rel == FMB_EQ || (turned && rel == FMB_LE) ? 0 : support_between(g, rel == FMB_LT, 6);
         w[d->n] = any && support_chance(g, 20) ? support_between(g, -3, 3) : value + slack;
         for (size_t j = 0; j <= d->n; j++)
             w[j] *= times;
@@ -51,8 +55,21 @@ static void draw_rows(drawn *d, support_rng *g, bool any)
     }
 }
 
+/* Nothing satisfies all rows, and row i strictly. */
+static void expect_tight(fmb_run *run, const drawn *d, size_t i)
+{
+    fmb_lp_row row[ROWS];
+    fmb_fate fate[ROWS] = {FMB_FATE_UNKNOWN};
+    bool feasible;
+    memcpy(row, d->row, sizeof row);
+    row[i].rel = FMB_LT;
+    cr_assert_eq(fmb_redundant(run, d->n, d->m, row, false, fate, &feasible), FMB_OK);
+    cr_assert(!feasible);
+    tights++;
+}
+
 /* As in lp/sorting.c: rows not gone imply those that are, and those kept are needed. */
-static void expect_truth(fmb_run *run, const drawn *d, const fmb_sorting *found)
+static void expect_truth(fmb_run *run, const drawn *d, const fmb_sorting *found, const bool *tight)
 {
     fmb_lp_row row[ROWS];
     fmb_fate fate[ROWS];
@@ -63,8 +80,12 @@ static void expect_truth(fmb_run *run, const drawn *d, const fmb_sorting *found)
             if (found->gone[i] == (gone == 1)) {
                 place[m] = i;
                 fate[m] = FMB_FATE_UNKNOWN;
-                row[m++] = d->row[i];
+                bool equal = found->feasible && tight[i];
+                row[m++] = (fmb_lp_row){d->row[i].v, equal ? FMB_EQ : d->row[i].rel};
             }
+    for (size_t i = 0; found->feasible && i < d->m; i++)
+        if (tight[i])
+            expect_tight(run, d, i);
     cr_assert_eq(fmb_redundant(run, d->n, m, row, false, fate, &feasible), FMB_OK);
     cr_assert_eq(feasible, found->feasible);
     for (size_t k = 0; feasible && k < m; k++) {
@@ -94,12 +115,15 @@ Test(substituted_rows, are_sorted_as_the_oracle_does)
     fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
     cr_assert_eq(fmb_run_open_num(&run, &num, COLUMNS + 1, false), FMB_OK);
     for (int trial = 0; trial < TRIALS / WATCHED; trial++) {
-        bool any = trial % 2 == 0, gone[ROWS] = {0}, kept[ROWS] = {0}, equal = false;
+        bool any = trial % 2 == 0, gone[ROWS] = {0}, kept[ROWS] = {0}, tight[ROWS] = {0};
+        bool equal = false;
         fmb_sorting out = {.gone = gone, .kept = kept, .known = !any && trial % 4 == 1};
         draw_rows(&d, &g, any);
         fmb_arena_reset(&arena);
-        cr_assert_eq(fmb_substituted_rows_sort(&run, &arena, &num, d.n, d.m, d.row, &out), FMB_OK);
-        expect_truth(&run, &d, &out);
+        cr_assert_eq(fmb_substituted_rows_sort(&run, &arena, &num, d.n, d.m, d.row, &out,
+                                               trial % 3 == 0 ? NULL : tight),
+                     FMB_OK);
+        expect_truth(&run, &d, &out, tight);
         for (size_t i = 0; i < d.m; i++) {
             equal |= d.row[i].rel == FMB_EQ;
             longs += d.v[i].bits > 40;
@@ -108,7 +132,9 @@ Test(substituted_rows, are_sorted_as_the_oracle_does)
         outsides += equal && out.feasible && !out.inner;
         empties += equal && !out.feasible;
     }
-    cr_expect(insides > 50 && outsides > 10 && empties > 5 && dependents > 5 && longs > 5);
+    const int met[] = {insides, outsides, empties, dependents, longs, tights};
+    for (size_t i = 0; i < sizeof met / sizeof *met; i++)
+        cr_expect(met[i] > 20 / WATCHED, "%zu: %d", i, met[i]);
     fmb_num_clear(&num);
     fmb_arena_clear(&arena);
     cr_expect_eq(mem.used, 0);
