@@ -16,6 +16,7 @@ static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_ce
     if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
         return FMB_OK;
     x->out.framed++;
+    FMB_TRY(fmb_run_poll_now(&x->run));
     return fmb_mesh_decide_frames(&x->frames, a, b, (faults >> 4 & FMB_MESH_FLAT) != 0, shared,
                                   how);
 }
@@ -49,7 +50,7 @@ static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a, uin
 
 /* ---- trees ----------------------------------------------------------------------------------- */
 
-enum { LEAVES_BETWEEN_SIGNS = 256 };
+enum { LEAVES_BETWEEN_SIGNS = 32 };
 
 /* FMB_LIMIT: stop. */
 static fmb_status share_progress(fmb_tree_walk *x)
