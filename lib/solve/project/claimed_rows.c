@@ -120,8 +120,8 @@ static fmb_status append_claim(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, const
 fmb_status fmb_claimed_rows_append(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, const fmb_weights *w)
 {
     const fmb_vec row = {.z = z};
-    FMB_TRY(fmb_system_append_dense(c->image, (size_t)fmb_system_dim(c->image), NULL, NULL, &row,
-                                    rel));
+    FMB_TRY(
+        fmb_system_append_dense(c->image, (size_t)fmb_system_dim(c->image), NULL, NULL, &row, rel));
     fmb_status st = append_claim(c, z, rel, w);
     if (st != FMB_OK)
         fmb_system_remove(c->image, c->image->rows - 1);

@@ -14,8 +14,6 @@
  */
 #include "lp/redundancy/active_set/implied.h"
 
-#include <math.h>
-
 #include "base/arrays.h"
 #include "base/ways.h"
 #include "lp/oracle/oracle.h"
@@ -228,19 +226,6 @@ static fmb_status begin_searches(sorting *s)
     return FMB_OK;
 }
 
-/* Rows that were activated are tested twice. */
-static double share_tested(const sorting *s)
-{
-    double open = (double)s->opens / (double)s->searches, tested = 0, all = 1;
-    for (size_t k = 0; k < s->searches; k++) {
-        const fmb_active_set *search = &s->search[k];
-        double active = fmin((double)search->generators, open), now = (double)search->tested;
-        tested += search->again ? open + now * active / open : now;
-        all += open + active;
-    }
-    return tested / all;
-}
-
 /* Until all rows are tested or some search pauses. */
 static fmb_status go_on_with_searches(sorting *s, bool *paused)
 {
@@ -249,7 +234,6 @@ static fmb_status go_on_with_searches(sorting *s, bool *paused)
         *paused |= s->search[k].paused;
     for (size_t k = 0; st == FMB_OK && !*paused && k < s->searches; k++)
         hear_search(s, &s->search[k]);
-    s->out->tested = share_tested(s);
     return st;
 }
 

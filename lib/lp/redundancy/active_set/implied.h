@@ -13,7 +13,6 @@ typedef struct fmb_sorting {
     bool pauses; /* in: may end before all rows are looked at, where a slice of the run is over */
     struct fmb_paused_sorting
         *paused;     /* in: NULL at first; out: it did so, and nothing is told yet */
-    double tested;   /* paused: of the tests so far expected, this share */
     bool feasible;   /* false if there is none, and nothing else was found out */
     bool inner;      /* some point is strictly inside all rows */
     size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
