@@ -1,4 +1,5 @@
-/* images_apart.c: projections that no choice of ways was made on: what it is judged by.
+/* images_apart.c: projections that were invented to judge a choice of ways; now they are in the
+ * fit.
  *
  * Sources: Rockafellar, Uryasev 2000 (tails by auxiliary variables, doi 10.21314/JOR.2000.038);
  * Krarup, Bilde 1977 (lots by the stage that makes them); Milanese, Belforte 1982 (parameters that

@@ -1,4 +1,4 @@
-/* images_later.c: projections that came after the choice of ways was fixed; apart, too.
+/* images_later.c: projections that came after a choice of ways was fixed; now in the fit, too.
  *
  * Sources: Banker, Charnes, Cooper 1984 (what can be made of what, doi 10.1287/mnsc.30.9.1078);
  * Edirisinghe, Naik, Uppal 1993 (hedges with costs, doi 10.2307/2331152); Mishra, Schwartz, Sharir

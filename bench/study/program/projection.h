@@ -18,9 +18,9 @@ typedef struct study_projection {
 
 /* The families, their names and what they are, a line each. */
 int study_projections(void);
-/* So many more come after these, that no choice of ways was made on: they judge it. */
+/* So many more come after these: they judged choices of ways, and now they are in the fit. */
 int study_projections_apart(void);
-/* And so many after those, that were invented once it was made. */
+/* And so many after those, that no fit has seen: they judge the choice. */
 int study_projections_unseen(void);
 const char *study_projection_name(int family);
 const char *study_projection_about(int family);

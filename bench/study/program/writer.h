@@ -76,14 +76,14 @@ study_family study_image_points, study_image_local, study_image_scarce, study_im
 /* images_systems.c: what systems can do: networks, controllers, programs, clocks */
 study_family study_image_relu, study_image_control, study_image_value, study_image_chain,
     study_image_flow, study_image_transport, study_image_clocks;
-/* images_apart.c: what a choice of ways is judged by, and not made on */
+/* images_apart.c: what judged choices of ways until a fit took them in */
 study_family study_image_cuts, study_image_marginals, study_image_recourse, study_image_automaton,
     study_image_mostly_kept, study_image_tails, study_image_lots, study_image_parameters,
     study_image_weights, study_image_mixture, study_image_sites, study_image_dependences;
-/* images_later.c: apart, and later than the choice of ways that they judge */
+/* images_later.c: apart, too, and later */
 study_family study_image_frontier, study_image_hedge, study_image_grip, study_image_gates,
     study_image_warmth;
-/* images_unseen.c: later still */
+/* images_unseen.c: what judges the choice of ways, and no fit sees */
 study_family study_image_fluxes, study_image_shifts, study_image_scenarios, study_image_reach,
     study_image_coalitions, study_image_beliefs, study_image_accesses, study_image_votes,
     study_image_tolerances, study_image_truss;

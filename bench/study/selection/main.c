@@ -335,8 +335,9 @@ static bool take_option(setup *u, const char *option, const char *value)
 
 int main(int argc, char **argv)
 {
-    setup u = {.first = 1, .each = 4, .seconds = 1, .to = study_projections()};
+    setup u = {.first = 1, .each = 4, .seconds = 1};
     int i = 1;
+    u.to = study_projections() + study_projections_apart(); /* what a fit may see */
     signal(SIGPROF, end_query);
     for (; i < argc && argv[i][0] == '-'; i += 2)
         if (i + 1 == argc || !take_option(&u, argv[i], argv[i + 1]))
