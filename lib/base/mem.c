@@ -4,35 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the usual allocator --------------------------------------------------------------------- */
-
-/* Blocks have one of few sizes: 16 to 64 bytes by steps of 16, then four sizes for each power of
- * two up to SMALL_BLOCK; larger ones are as large as asked for. */
-enum { SMALL_BLOCK = 1 << 16, STEP_BITS = 4, LEAST_SPLIT = 2 };
-
-/* The number of the size of a block for so many bytes, 1 to SMALL_BLOCK: with s = ceil(bytes / 16)
- * it is s - 1 up to 4; then, where 2^k < s <= 2^(k + 1), that of s in quarters of 2^k. */
-static unsigned size_class(size_t bytes)
-{
-    size_t last = (bytes - 1) >> STEP_BITS; /* s - 1 */
-    if (last < 1u << LEAST_SPLIT)
-        return (unsigned)last;
-    unsigned k = 63u - (unsigned)__builtin_clzll(last);
-    return (unsigned)(last >> (k - LEAST_SPLIT)) + ((k - LEAST_SPLIT) << LEAST_SPLIT);
-}
-
-/* What a block for so many bytes holds. */
-static size_t block_bytes(size_t bytes)
-{
-    size_t last = (bytes - 1) >> STEP_BITS;
-    if (bytes > SMALL_BLOCK)
-        return bytes;
-    if (last < 1u << LEAST_SPLIT)
-        return (last + 1) << STEP_BITS;
-    unsigned shift = 63u - (unsigned)__builtin_clzll(last) - LEAST_SPLIT;
-    return ((last >> shift) + 1) << (shift + STEP_BITS);
-}
-
 static void *resize_by_realloc(void *self, void *p, size_t old_bytes, size_t new_bytes)
 {
     (void)self;
@@ -41,79 +12,8 @@ static void *resize_by_realloc(void *self, void *p, size_t old_bytes, size_t new
         free(p);
         return NULL;
     }
-    return realloc(p, block_bytes(new_bytes));
+    return realloc(p, new_bytes);
 }
-
-/* ---- blocks that wait ------------------------------------------------------------------------ */
-
-/* More does not wait [bytes]. */
-#define MOST_WAITING ((size_t)1 << 18)
-
-/* Where a sanitizer is to see every block released, none waits. */
-#if defined(__SANITIZE_ADDRESS__)
-#define SEES_BLOCKS true
-#elif defined(__has_feature)
-#define SEES_BLOCKS __has_feature(address_sanitizer)
-#else
-#define SEES_BLOCKS false
-#endif
-
-void fmb_mem_use_pool(fmb_mem *m, fmb_pool *p)
-{
-    m->pool = !SEES_BLOCKS && m->alloc.resize == resize_by_realloc ? p : NULL;
-}
-
-void fmb_pool_clear(fmb_pool *p)
-{
-    for (int k = 0; k < FMB_POOL_CLASSES; k++) {
-        while (p->first[k]) {
-            void *block = p->first[k];
-            memcpy(&p->first[k], block, sizeof block);
-            free(block);
-        }
-    }
-    p->bytes = 0;
-}
-
-/* A block that waited, or NULL. */
-static void *take_from_pool(fmb_pool *p, size_t bytes)
-{
-    void **first = &p->first[size_class(bytes)], *block = *first;
-    if (!block)
-        return NULL;
-    memcpy(first, block, sizeof block);
-    p->bytes -= block_bytes(bytes);
-    return block;
-}
-
-static bool leave_in_pool(fmb_pool *p, void *block, size_t bytes)
-{
-    void **first = &p->first[size_class(bytes)];
-    if (p->bytes >= MOST_WAITING)
-        return false;
-    memcpy(block, first, sizeof block);
-    *first = block;
-    p->bytes += block_bytes(bytes);
-    return true;
-}
-
-/* p, of old bytes (0: none), becomes a block of so many (0: none). */
-static void *resize(fmb_mem *m, void *p, size_t old, size_t bytes)
-{
-    bool waits = m->pool && old <= SMALL_BLOCK && bytes <= SMALL_BLOCK;
-    if (waits && old > 0 && bytes > 0 && size_class(old) == size_class(bytes))
-        return p;
-    void *q = waits && bytes > 0 ? take_from_pool(m->pool, bytes) : NULL;
-    if (q && old > 0)
-        memcpy(q, p, old < bytes ? old : bytes);
-    if (!q && bytes > 0)
-        return m->alloc.resize(m->alloc.self, p, old, bytes);
-    if (old > 0 && !(waits && leave_in_pool(m->pool, p, old)))
-        m->alloc.resize(m->alloc.self, p, old, 0);
-    return q;
-}
-
-/* ---- blocks ---------------------------------------------------------------------------------- */
 
 void fmb_mem_init(fmb_mem *m, const fmb_alloc *hook, size_t limit)
 {
@@ -187,7 +87,7 @@ void *fmb_mem_grow(fmb_mem *m, void *p, size_t old, size_t count, size_t size)
     }
     if (bytes > before && !fmb_mem_charge(m, bytes - before))
         return NULL;
-    void *q = resize(m, p, before, bytes);
+    void *q = m->alloc.resize(m->alloc.self, p, before, bytes);
     m->over = m->over && q;
     if (!q && bytes > before)
         fmb_mem_refund(m, bytes - before);
@@ -215,7 +115,7 @@ void fmb_mem_put(fmb_mem *m, void *p, size_t count, size_t size)
         return;
     size_t bytes = 0;
     (void)multiply_sizes(count, size, &bytes);
-    resize(m, p, bytes, 0);
+    m->alloc.resize(m->alloc.self, p, bytes, 0);
     fmb_mem_refund(m, bytes);
 }
 

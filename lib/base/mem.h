@@ -34,25 +34,10 @@ typedef struct fmb_mem {
     size_t used, peak, limit; /* [bytes]; limit 0 = none */
     bool over;                /* the last failure was the limit, not the allocator */
     struct fmb_mem *within;   /* where all this counts too, or NULL */
-    struct fmb_pool *pool;    /* where released blocks wait for the next use, or NULL */
 } fmb_mem;
 
 /* hook NULL means malloc. */
 void fmb_mem_init(fmb_mem *m, const fmb_alloc *hook, size_t limit);
-
-/* Blocks that were released and wait: a query makes hundreds of small ones, and so does the next. A
- * pool is its owner's alone, and what waits there is not in use: it does not count. */
-enum { FMB_POOL_CLASSES = 44 };
-typedef struct fmb_pool {
-    void *first[FMB_POOL_CLASSES]; /* of a list for each size, linked by the first word of each */
-    size_t bytes;
-} fmb_pool;
-
-/* From now on m takes blocks from p and leaves them there, unless a caller's hook allocates: that
- * sees every block come and go. */
-void fmb_mem_use_pool(fmb_mem *m, fmb_pool *p);
-/* Nothing waits any more. */
-void fmb_pool_clear(fmb_pool *p);
 
 /* count * size bytes, or NULL: then fmb_mem_status says why. A request of 0 bytes gets a block. */
 void *fmb_mem_get(fmb_mem *m, size_t count, size_t size);

@@ -15,7 +15,6 @@ fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solve
     fmb_solver *v;
     FMB_TRY(FMB_GET_ZERO(&mem, v, 1));
     v->mem = mem;
-    fmb_mem_use_pool(&v->mem, &v->pool);
     atomic_init(&v->cancel, 0);
     fmb_arena_init(&v->arena, &v->mem);
     fmb_status st = fmb_options_read(v, o);
@@ -34,9 +33,7 @@ void fmb_solver_free(fmb_solver *v)
     fmb_session_free(v->session);
     fmb_permutations_free(v->symmetries);
     fmb_arena_clear(&v->arena);
-    fmb_pool_clear(&v->pool);
     fmb_mem mem = v->mem;
-    mem.pool = NULL;
     fmb_mem_put(&mem, v, 1, sizeof *v);
 }
 

@@ -21,7 +21,6 @@
 
 struct fmb_solver {
     fmb_mem mem;
-    fmb_pool pool; /* of mem */
     fmb_arena arena;
     fmb_options options;
     const fmb_rule *rule[FMB_MAX_RULES];

@@ -58,66 +58,6 @@ Test(mem, reserve_keeps_the_contents)
     cr_assert_eq(m.used, 0);
 }
 
-/* Blocks of all sizes come, grow, shrink and go, each full of its own number. */
-Test(mem, blocks_that_waited_are_as_large_as_asked_for)
-{
-    enum { BLOCKS = 64, TURNS = 20000, MOST = 70000 };
-    struct {
-        unsigned char *p;
-        size_t bytes;
-    } block[BLOCKS] = {0};
-    fmb_pool pool = {0};
-    fmb_mem m;
-    uint64_t g = 20261126;
-    fmb_mem_init(&m, NULL, 0);
-    fmb_mem_use_pool(&m, &pool);
-    for (int turn = 0; turn < TURNS; turn++) {
-        g = g * 6364136223846793005u + 1442695040888963407u;
-        size_t k = (size_t)(g >> 58), old = block[k].bytes;
-        size_t bytes = (g >> 32) % 4 == 0 ? 0 : ((size_t)1 << (g >> 40) % 17) + (g >> 20) % 300;
-        bytes = bytes < MOST ? bytes : MOST;
-        if (bytes == 0)
-            fmb_mem_put(&m, block[k].p, old, 1);
-        else
-            cr_assert_not_null(block[k].p = fmb_mem_grow(&m, block[k].p, old, bytes, 1));
-        block[k].p = bytes == 0 ? NULL : block[k].p;
-        block[k].bytes = bytes;
-        for (size_t i = 0; i < old && i < bytes; i++)
-            cr_assert_eq(block[k].p[i], k);
-        if (bytes > 0)
-            memset(block[k].p, (int)k, bytes);
-    }
-    for (size_t k = 0; k < BLOCKS; k++)
-        fmb_mem_put(&m, block[k].p, block[k].bytes, 1);
-    cr_expect_eq(m.used, 0);
-    cr_expect_leq(pool.bytes, ((size_t)1 << 18) + ((size_t)1 << 16));
-    fmb_pool_clear(&pool);
-    cr_expect_eq(pool.bytes, 0);
-}
-
-static void *count_calls(void *self, void *p, size_t old, size_t bytes)
-{
-    (void)old;
-    ++*(int *)self;
-    if (bytes > 0)
-        return realloc(p, bytes);
-    free(p);
-    return NULL;
-}
-
-Test(mem, a_hook_sees_every_block)
-{
-    int calls = 0;
-    fmb_pool pool = {0};
-    fmb_mem m;
-    fmb_mem_init(&m, &(fmb_alloc){count_calls, &calls}, 0);
-    fmb_mem_use_pool(&m, &pool);
-    for (int i = 0; i < 10; i++)
-        fmb_mem_put(&m, fmb_mem_get(&m, 10, 1), 10, 1);
-    cr_expect_eq(calls, 20);
-    cr_expect_eq(pool.bytes, 0);
-}
-
 Test(mem, texts_are_copies)
 {
     fmb_mem m;
