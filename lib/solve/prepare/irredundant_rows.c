@@ -117,7 +117,8 @@ static void apply_sorting(remains *h, const fmb_sorting *sorting, const bool *ti
 }
 
 /* What a guess finds is cheap, and mostly all. *inner: the projection has a point strictly inside
- * its rows. That a row is an equality, the oracle proves. */
+ * its rows. Where claims are wanted inequalities stay what they are here, as a
+ * claim that one is an equality needs the oracle. */
 static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, bool *inner)
 {
     fmb_mem *mem = h->q->run.mem;
