@@ -102,7 +102,8 @@ void study_image_automaton(study_writer *w)
             study_write_most(w, after + c, study_draw(w, 6, 20));
         }
         study_write_term(w, before + guard, 1);
-        study_write_end(w, study_random_chance(&w->g, 30) ? FMB_GT : FMB_GE, study_draw(w, 1, 4));
+        int64_t least = study_draw(w, 1, 4);
+        study_write_end(w, study_random_chance(&w->g, 30) ? FMB_GT : FMB_GE, least);
         study_write_term(w, before + guard, 1);
         study_write_term(w, before + (guard + 1) % clocks, -1);
         study_write_end(w, FMB_LE, study_draw(w, 0, 5));
@@ -120,9 +121,12 @@ void study_image_mostly_kept(study_writer *w)
     if (!study_write_image(w, n, n - study_draw(w, 2, 4)))
         return;
     for (int r = 0; r < rows; r++) {
-        for (int t = study_draw(w, 2, 4); t > 0; t--)
-            study_write_term(w, study_draw(w, 0, n - 1), study_random_nonzero(&w->g, -9, 9));
-        study_write_end(w, study_random_chance(&w->g, 10) ? FMB_LT : FMB_LE, study_draw(w, 1, 40));
+        for (int t = study_draw(w, 2, 4); t > 0; t--) {
+            int64_t coef = study_random_nonzero(&w->g, -9, 9);
+            study_write_term(w, study_draw(w, 0, n - 1), coef);
+        }
+        int64_t right = study_draw(w, 1, 40);
+        study_write_end(w, study_random_chance(&w->g, 10) ? FMB_LT : FMB_LE, right);
     }
 }
 
@@ -238,7 +242,8 @@ void study_image_mixture(study_writer *w)
     study_write_end(w, FMB_EQ, 100);
     for (int r = study_draw(w, 0, 3); r > 0; r--) {
         study_write_term(w, contents + study_draw(w, 0, of - 1), 1);
-        study_write_term(w, contents + study_draw(w, 0, of - 1), study_draw(w, -3, 3));
+        int coef = study_draw(w, -3, 3);
+        study_write_term(w, contents + study_draw(w, 0, of - 1), coef);
         study_write_end(w, FMB_LE, study_draw(w, 10, 60));
     }
 }

@@ -1,5 +1,5 @@
-/* images_unseen.c: projections that were invented once the choice of ways was fixed, to judge it:
- * no fit has seen them, and none may.
+/* images_unseen.c: projections that were invented once a choice of ways was fixed, to judge it; now
+ * they are in the fit.
  *
  * Sources: Schuster, Hilgetag 1994 (fluxes of a steady state, doi 10.1142/S0218339094000131);
  * Dantzig 1954 (shifts, doi 10.1287/opre.2.3.339); Gillies 1959 (what coalitions cannot improve);
@@ -128,8 +128,8 @@ void study_image_coalitions(study_writer *w)
             continue;
         for (int p = 0; p < players; p++)
             study_write_term(w, p, s >> p & 1);
-        study_write_end(w, study_random_chance(&w->g, 10) ? FMB_GT : FMB_GE,
-                        size * size * study_draw(w, 3, 5) - 5);
+        int64_t gain = size * size * study_draw(w, 3, 5) - 5;
+        study_write_end(w, study_random_chance(&w->g, 10) ? FMB_GT : FMB_GE, gain);
     }
     for (int p = 0; p < players; p++)
         study_write_term(w, p, 1);
@@ -145,11 +145,10 @@ void study_image_beliefs(study_writer *w)
     if (!study_write_image(w, kept + links * pair, kept))
         return;
     for (int k = 0; k < kept; k++) {
-        int link = k % 2 ? links - 1 : 0;
+        int first = kept + (k % 2 ? links - 1 : 0) * pair;
         study_write_term(w, k, -1);
         for (int v = 0; v < VALUES; v++)
-            study_write_term(
-                w, kept + link * pair + (k % 2 ? v * VALUES + k / 2 : k / 2 * VALUES + v), 1);
+            study_write_term(w, first + (k % 2 ? v * VALUES + k / 2 : k / 2 * VALUES + v), 1);
         study_write_end(w, FMB_EQ, 0);
     }
     for (int l = 0; l + 1 < links; l++)
@@ -242,11 +241,12 @@ void study_image_tolerances(study_writer *w)
         study_write_end_q(w, FMB_GE, -study_draw(w, 10000, 90000), 1000003);
     }
     for (int c = 0; c < chains; c++) {
-        for (int terms = study_draw(w, 3, 5); terms > 0; terms--)
-            study_write_term_q(w, study_draw(w, 0, parts - 1),
-                               study_random_nonzero(&w->g, -1500000, 1500000), 1000000);
-        study_write_end_q(w, study_random_chance(&w->g, 40) ? FMB_LT : FMB_LE,
-                          study_draw(w, 5000, 120000), 1000000);
+        for (int terms = study_draw(w, 3, 5); terms > 0; terms--) {
+            int64_t lever = study_random_nonzero(&w->g, -1500000, 1500000);
+            study_write_term_q(w, study_draw(w, 0, parts - 1), lever, 1000000);
+        }
+        int64_t gap = study_draw(w, 5000, 120000);
+        study_write_end_q(w, study_random_chance(&w->g, 40) ? FMB_LT : FMB_LE, gap, 1000000);
     }
 }
 

@@ -75,7 +75,7 @@ static const struct {
     {"grip", "forces that fingers with friction withstand", study_image_grip},
     {"gates", "and and or of numbers between 0 and 1", study_image_gates},
     {"warmth", "power by the hour that keeps rooms warm", study_image_warmth},
-    /* Unseen. */
+    /* These judged the choice later. */
     {"fluxes", "exchanges of a network of reactions in balance", study_image_fluxes},
     {"shifts", "hours of groups that cover a day", study_image_shifts},
     {"scenarios", "what is made at once, and costs over a tree of events", study_image_scenarios},
@@ -86,9 +86,40 @@ static const struct {
     {"votes", "weights of criteria behind choices, strictly", study_image_votes},
     {"tolerances", "deviations of parts along chains, in millionths", study_image_tolerances},
     {"truss", "loads that the bars of a truss bear", study_image_truss},
+    /* Invented for the fit. */
+    {"mixed", "rows of all kinds, in a box or none", study_image_mixed},
+    {"fans", "rows of all kinds through the origin", study_image_fans},
+    {"bound", "rows of all kinds, a quarter of them equalities", study_image_bound},
+    {"plenty", "many rows in three to five variables", study_image_plenty},
+    {"blocks", "blocks of variables, bound together by what stays", study_image_blocks},
+    {"band", "rows of neighbours along a line or a ring", study_image_band},
+    {"measured", "sums of neighbours between bounds", study_image_measured},
+    {"differences", "differences of two, and sums of some", study_image_differences},
+    {"layers", "at least some functions of what is below, in layers", study_image_layers},
+    {"planes", "a box between pairs of planes", study_image_planes},
+    {"covers", "some of each set, and what all cost", study_image_covers},
+    {"sorted", "numbers in order, sums of the first ones bounded", study_image_sorted},
+    {"lattice", "heights on a lattice, whose neighbours are close", study_image_lattice},
+    {"shares", "shares with bounded ratios", study_image_shares},
+    {"steered", "what a state costs to be steered", study_image_steered},
+    {"windows", "stocks by bounded sums over windows of time", study_image_windows},
+    {"totals", "totals of totals with bounds", study_image_totals},
+    {"packages", "prices of goods behind those of packages", study_image_packages},
+    {"polar", "polars of points, of which one or two variables go", study_image_polar},
+    /* Unseen. */
+    {"leaks", "what comes into a network whose arcs lose and gain", study_image_leaks},
+    {"simplices", "a sum of simplices on some axes each", study_image_simplices},
+    {"routes", "loads of links, by routes of demands", study_image_routes},
+    {"fits", "coefficients and greatest errors of fits, ten digits", study_image_fits},
+    {"moments", "moments of distributions, in powers of 2", study_image_moments},
+    {"implied", "rows that follow from given ones", study_image_implied},
+    {"slots", "begins of jobs, by slots of their windows", study_image_slots},
+    {"products", "sums of products in boxes, by envelopes", study_image_products},
+    {"bends", "functions by their bends, under a bound", study_image_bends},
+    {"cells", "cells of planes with normals of -1, 0, 1, strictly", study_image_cells},
 };
 
-enum { UNSEEN = 10, APART = 17, FAMILIES = (int)(sizeof FAMILY / sizeof *FAMILY) - APART - UNSEEN };
+enum { UNSEEN = 10, APART = 46, FAMILIES = (int)(sizeof FAMILY / sizeof *FAMILY) - APART - UNSEEN };
 
 /* Seeds are spread as when there were so many families, so that problems stay what they were. */
 enum { SPREAD = 28 };

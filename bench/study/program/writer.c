@@ -87,6 +87,20 @@ void study_write_most(study_writer *w, int var, int64_t most)
     study_write_end(w, FMB_LE, most);
 }
 
+void study_write_box(study_writer *w, int first, int count, int64_t lo, int64_t hi)
+{
+    for (int x = first; x < first + count; x++) {
+        study_write_least(w, x, lo);
+        study_write_most(w, x, hi);
+    }
+}
+
+void study_write_sum(study_writer *w, int first, int count, int64_t coef)
+{
+    for (int x = first; x < first + count; x++)
+        study_write_term(w, x, coef);
+}
+
 void study_write_best(study_writer *w, int64_t num, uint64_t den)
 {
     w->to->has_best = true;

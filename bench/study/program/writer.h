@@ -40,6 +40,10 @@ void study_write_end_q(study_writer *w, fmb_rel rel, int64_t num, uint64_t den);
 /* x_var >= least; x_var <= most. */
 void study_write_least(study_writer *w, int var, int64_t least);
 void study_write_most(study_writer *w, int var, int64_t most);
+/* lo <= x <= hi of count variables from the first. */
+void study_write_box(study_writer *w, int first, int count, int64_t lo, int64_t hi);
+/* coef times each of count variables from the first. */
+void study_write_sum(study_writer *w, int first, int count, int64_t coef);
 
 /* What is known of the program. */
 void study_write_best(study_writer *w, int64_t num, uint64_t den);
@@ -83,9 +87,19 @@ study_family study_image_cuts, study_image_marginals, study_image_recourse, stud
 /* images_later.c: apart, too, and later */
 study_family study_image_frontier, study_image_hedge, study_image_grip, study_image_gates,
     study_image_warmth;
-/* images_unseen.c: what judges the choice of ways, and no fit sees */
+/* images_unseen.c: apart, too, and later still */
 study_family study_image_fluxes, study_image_shifts, study_image_scenarios, study_image_reach,
     study_image_coalitions, study_image_beliefs, study_image_accesses, study_image_votes,
     study_image_tolerances, study_image_truss;
+/* images_fitted.c: invented for a fit, which needs many families */
+study_family study_image_mixed, study_image_fans, study_image_bound, study_image_plenty,
+    study_image_blocks, study_image_band, study_image_measured, study_image_differences,
+    study_image_layers, study_image_planes, study_image_covers, study_image_sorted,
+    study_image_lattice, study_image_shares, study_image_steered, study_image_windows,
+    study_image_totals, study_image_packages, study_image_polar;
+/* images_newer.c: what judges the choice of ways, and no fit sees */
+study_family study_image_leaks, study_image_simplices, study_image_routes, study_image_fits,
+    study_image_moments, study_image_implied, study_image_slots, study_image_products,
+    study_image_bends, study_image_cells;
 
 #endif
