@@ -39,9 +39,10 @@ FMB_API FMB_CHECKED fmb_status fmb_distance(fmb_solver *v, const fmb_frame *f, f
 
 /* [give] How deep they are in each other: the length of the shortest translation of the second
  * after which they do no more than touch; 0 if that is all they do. *out is NULL, and the verdict
- * INFEASIBLE, if they are apart. In the plane and in space, where frames have no more axes than
- * that, normals are looked at; else it projects a system of all coordinates, so set a limit in high
- * dimensions. Errors: ARG, MEMORY. */
+ * INFEASIBLE, if they are apart. In up to eight dimensions, where frames have no more axes than
+ * that, normals are looked at (20 us in space, a few ms in eight dimensions, more of simplices);
+ * else it projects a system of all coordinates, so set a limit in high dimensions. Errors: ARG,
+ * MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_depth(fmb_solver *v, const fmb_frame *f, fmb_norm norm,
                                          fmb_proximity **out, fmb_result *res);
 

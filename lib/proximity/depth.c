@@ -6,7 +6,7 @@
  * b / (|a_1| + |a_2| + ...). An equality among the rows of M, which then is flat, is a facet at
  * depth 0.
  *
- * In the plane and in space the normals of facets are known without a projection.
+ * In up to eight dimensions the normals of facets are known without a projection.
  */
 #include "num/rationals.h"
 #include "proximity/least_overlap.h"
@@ -156,14 +156,13 @@ static fmb_status answer_by_normals(fmb_minkowski *m, fmb_run *run, fmb_proximit
                                     fmb_verdict *verdict)
 {
     fmb_least_overlap x;
-    fmb_status st = FMB_OK;
     fmb_least_overlap_init(&x);
-    fmb_find_least_overlap(m, out->norm, &x);
-    int sign = mpz_sgn(x.overlap);
-    *verdict = sign < 0 ? FMB_INFEASIBLE : FMB_FEASIBLE;
-    if (sign == 0)
+    fmb_status st = fmb_find_least_overlap(m, out->norm, run, &x);
+    if (st == FMB_OK)
+        *verdict = mpz_sgn(x.overlap) < 0 ? FMB_INFEASIBLE : FMB_FEASIBLE;
+    if (st == FMB_OK && mpz_sgn(x.overlap) == 0)
         st = fmb_find_nearest(m, run, NULL, verdict);
-    if (*verdict == FMB_FEASIBLE)
+    if (st == FMB_OK && *verdict == FMB_FEASIBLE)
         write_least_overlap(m, &x, out);
     fmb_least_overlap_clear(&x);
     return st;

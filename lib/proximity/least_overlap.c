@@ -1,51 +1,82 @@
 /* least_overlap.c: see least_overlap.h.
  *
- * All normals of flat.h in integers. The least of o / |n| is found by comparing o^2 |m|^2 with
- * p^2 |n|^2, or o |m| with p |n| where sizes are sums. A normal that is 0 does not count. If all
- * are 0 then M is at most a segment: anything at right angles to it is a normal.
+ * A facet of M is a face of P less a face of Q, with the drift or without. Its directions are those
+ * of edges of the two faces, and the drift. Of a face of a cuboid the edges span all, of a face of
+ * a simplex those from any one of its corners: so D - 1 independent ones among these span the
+ * facet, and the normals of all such choices are those of all facets, and more. None of them tells
+ * less than the depth: where M has an interior then its depth is the least of overlap / size.
+ *
+ * The coordinates of a normal are the minors of its D - 1 directions. They are made one direction
+ * after the other, so that choices that begin alike share minors, in doubles first: only where
+ * these do not tell that the overlap is larger than the least one known are whole numbers asked.
+ *
+ * Doubles are scaled so that none is larger than 1. Let size(S) be the sum of all products that
+ * make up the minor of rows S, without signs, and 2^-900. A number read differs from the exact one
+ * by 2^-52 of itself, or by 2^-1074; a minor of k <= 7 rows sums k products; so each level adds
+ * less than (k + 4) 2^-52 size(S) to the error, all of them less than 2^-46 size(S), and SHARE is
+ * four times that. The overlap is a sum of less than 30 products of coordinates of the normal and
+ * numbers of the frames, whose sum without signs is `weight`; twice SHARE bounds what they are off
+ * by. The surplus is far more than these bounds themselves are rounded by.
  */
 #include "proximity/least_overlap.h"
 
-#include "frame/flat.h"
+#include <math.h>
+
+#include "num/vec.h"
+
+#define SHARE 0x1p-44
+#define LEAST 0x1p-900 /* far above what is lost where doubles end */
+#define ABOVE (1 + 0x1p-40)
+
+enum {
+    MOST = FMB_NORMALS_MOST_DIM,
+    MOST_DIRECTIONS = MOST * (MOST + 1) + 1 + MOST, /* edges, the drift, axes of the world */
+    SETS = 1 << MOST
+};
+
+/* Edges of one side are chosen together if they belong to one group: those of a cuboid are one
+ * group, those of a simplex that start at one corner. */
+typedef struct direction {
+    int side, group; /* side 2: the drift; 3: the world */
+    mpz_t *exact;    /* [dim] */
+    double x[MOST];  /* scaled */
+} direction;
 
 typedef struct normal_search {
     fmb_minkowski *m;
     fmb_norm norm;
-    fmb_flat_kind kind;
-    mpz_t direction[FMB_FLAT_DIRECTIONS][3];
-    fmb_least_overlap at; /* the one at hand */
+    fmb_run *run;
+    fmb_mem *mem;
+    int directions; /* without those of the world, which follow */
+    direction direction[MOST_DIRECTIONS];
+    int first[2]; /* the axes of a side begin there */
+    int chosen[MOST];
+    double minor[SETS], size[SETS];  /* of the directions chosen: a set of k rows is about k */
+    mpz_t *exact;                    /* [sets] the same minors in whole numbers ... */
+    int known;                       /* ... of so many directions */
+    double away[MOST], weight[MOST]; /* origin of P - origin of Q; the largest |coordinates| of M */
+    double best;                     /* no less than the least overlap / size, scaled */
+    fmb_least_overlap at;            /* the one at hand */
+    mpz_t *cell;                     /* [cells] all numbers */
+    size_t cells;
     mpz_t low, high, span[2], t, s;
 } normal_search;
 
-static void for_each_number(normal_search *x, void (*what)(mpz_ptr))
-{
-    mpz_ptr one[] = {x->low, x->high, x->span[0], x->span[1], x->t, x->s};
-    for (size_t i = 0; i < sizeof one / sizeof *one; i++)
-        what(one[i]);
-    for (int i = 0; i < FMB_FLAT_DIRECTIONS; i++)
-        for (int j = 0; j < 3; j++)
-            what(x->direction[i][j]);
-}
-
-static void start_number(mpz_ptr x)
-{
-    mpz_init(x);
-}
-
-static void end_number(mpz_ptr x)
-{
-    mpz_clear(x);
-}
+/* ---- life ------------------------------------------------------------------------------------ */
 
 void fmb_least_overlap_init(fmb_least_overlap *x)
 {
     x->found = false;
-    mpz_inits(x->normal[0], x->normal[1], x->normal[2], x->overlap, x->size, NULL);
+    mpz_inits(x->overlap, x->size, NULL);
+    for (int j = 0; j < MOST; j++)
+        mpz_init(x->normal[j]);
 }
 
 void fmb_least_overlap_clear(fmb_least_overlap *x)
 {
-    mpz_clears(x->normal[0], x->normal[1], x->normal[2], x->overlap, x->size, NULL);
+    mpz_clears(x->overlap, x->size, NULL);
+    for (int j = 0; j < MOST; j++)
+        mpz_clear(x->normal[j]);
 }
 
 static mpz_t *row_of(const normal_search *x, int side, int row)
@@ -53,30 +84,218 @@ static mpz_t *row_of(const normal_search *x, int side, int row)
     return x->m->frame[side].row + row * x->m->dim;
 }
 
-static void read_directions(normal_search *x)
+static direction *add_direction(normal_search *x, int side, int group)
+{
+    direction *d = &x->direction[x->directions];
+    *d = (direction){side, group, x->cell + x->directions * x->m->dim, {0}};
+    x->directions++;
+    return d;
+}
+
+/* Edges of corner `group` of that side; of corner 0, the origin, they are the axes. */
+static void add_edges(normal_search *x, int side, int group)
+{
+    for (int i = group + 1; i <= x->m->frame[side].naxes; i++) {
+        direction *d = add_direction(x, side, group);
+        for (int j = 0; j < x->m->dim; j++)
+            if (group == 0)
+                mpz_set(d->exact[j], row_of(x, side, i)[j]);
+            else
+                mpz_sub(d->exact[j], row_of(x, side, i)[j], row_of(x, side, group)[j]);
+    }
+}
+
+static void add_directions(normal_search *x)
 {
     for (int side = 0; side < 2; side++) {
-        const fmb_flat_side *s = &x->kind.side[side];
-        mpz_t(*to)[3] = x->direction + side * FMB_FLAT_MOST_EDGES;
-        for (int i = 0; i < s->edges; i++) {
-            const uint8_t *ends = i < s->naxes ? NULL : fmb_flat_ends(i, s->naxes);
-            for (int j = 0; j < x->m->dim; j++) {
-                if (ends)
-                    mpz_sub(to[i][j], to[ends[1]][j], to[ends[0]][j]);
-                else
-                    mpz_set(to[i][j], row_of(x, side, 1 + i)[j]);
-            }
+        const fmb_minkowski_frame *f = &x->m->frame[side];
+        x->first[side] = x->directions;
+        for (int group = 0; group == 0 || (f->shape == FMB_SIMPLEX && group < f->naxes); group++)
+            add_edges(x, side, group);
+    }
+    if (x->m->moves) {
+        direction *d = add_direction(x, 2, 0);
+        for (int j = 0; j < x->m->dim; j++)
+            mpz_set(d->exact[j], x->m->drift[j]);
+    }
+    int ours = x->directions;
+    for (int j = 0; j < x->m->dim; j++)
+        mpz_set_ui(add_direction(x, 3, 0)->exact[j], 1);
+    x->directions = ours;
+}
+
+static double scaled(const mpz_t z, long top)
+{
+    long exponent;
+    double x = mpz_get_d_2exp(&exponent, z);
+    return exponent - top < -1100 ? 0 : ldexp(x, (int)(exponent - top));
+}
+
+/* The doubles of all numbers, times one power of 2. */
+static void scale_numbers(normal_search *x)
+{
+    size_t top = 1;
+    for (int j = 0; j < x->m->dim; j++) {
+        mpz_sub(x->at.normal[j], row_of(x, 0, 0)[j], row_of(x, 1, 0)[j]);
+        top = mpz_sizeinbase(x->at.normal[j], 2) > top ? mpz_sizeinbase(x->at.normal[j], 2) : top;
+        for (int i = 0; i < x->directions; i++) {
+            size_t bits = mpz_sizeinbase(x->direction[i].exact[j], 2);
+            top = bits > top ? bits : top;
         }
     }
     for (int j = 0; j < x->m->dim; j++) {
-        mpz_set(x->direction[FMB_FLAT_DRIFT][j], x->m->drift[j]);
-        mpz_set_ui(x->direction[FMB_FLAT_WORLD + j][j], 1);
+        x->away[j] = scaled(x->at.normal[j], (long)top);
+        x->weight[j] = fabs(x->away[j]);
+        for (int i = 0; i < x->directions; i++) {
+            direction *d = &x->direction[i];
+            d->x[j] = scaled(d->exact[j], (long)top);
+            x->weight[j] += d->group == 0 ? fabs(d->x[j]) : 0;
+        }
     }
 }
+
+static fmb_status open_search(normal_search *x)
+{
+    size_t dim = (size_t)x->m->dim, edges = 1 + dim; /* of the drift, of the world */
+    for (int side = 0; side < 2; side++)
+        edges += (size_t)x->m->frame[side].naxes * ((size_t)x->m->frame[side].naxes + 1) / 2;
+    x->cells = edges * dim + ((size_t)1 << dim);
+    fmb_least_overlap_init(&x->at);
+    mpz_inits(x->low, x->high, x->span[0], x->span[1], x->t, x->s, NULL);
+    x->cell = fmb_vec_block(x->cells, x->mem);
+    if (!x->cell)
+        return fmb_mem_status(x->mem);
+    x->exact = x->cell + edges * dim;
+    x->best = INFINITY;
+    add_directions(x);
+    scale_numbers(x);
+    x->minor[0] = x->size[0] = 1;
+    mpz_set_ui(x->exact[0], 1);
+    return FMB_OK;
+}
+
+static void close_search(normal_search *x)
+{
+    fmb_least_overlap_clear(&x->at);
+    fmb_vec_block_free(x->cell, x->cells, x->mem);
+    mpz_clears(x->low, x->high, x->span[0], x->span[1], x->t, x->s, NULL);
+}
+
+/* ---- minors ---------------------------------------------------------------------------------- */
+
+/* The next larger set of as many rows. */
+static unsigned next_set(unsigned set)
+{
+    unsigned low = set & -set, carry = set + low;
+    return carry | (set ^ carry) >> (2 + __builtin_ctz(low));
+}
+
+/* All minors of one direction more, by Laplace expansion along it: their signs are right, or all of
+ * them are wrong. */
+static void find_minors(normal_search *x, int level)
+{
+    const double *d = x->direction[x->chosen[level]].x;
+    for (unsigned set = (2U << level) - 1; set < 1U << x->m->dim; set = next_set(set)) {
+        double sum = 0, size = LEAST, sign = 1;
+        for (unsigned rest = set; rest != 0; rest &= rest - 1, sign = -sign) {
+            unsigned row = (unsigned)__builtin_ctz(rest), less = set & ~(1U << row);
+            sum += sign * d[row] * x->minor[less];
+            size += fabs(d[row]) * x->size[less];
+        }
+        x->minor[set] = sum;
+        x->size[set] = size;
+    }
+}
+
+/* The same in whole numbers. Are they all 0? */
+static bool find_exact_minors(normal_search *x, int level)
+{
+    bool zero = true;
+    mpz_t *d = x->direction[x->chosen[level]].exact;
+    for (unsigned set = (2U << level) - 1; set < 1U << x->m->dim; set = next_set(set)) {
+        mpz_ptr sum = x->exact[set];
+        bool minus = false;
+        mpz_set_ui(sum, 0);
+        for (unsigned rest = set; rest != 0; rest &= rest - 1, minus = !minus) {
+            unsigned row = (unsigned)__builtin_ctz(rest), less = set & ~(1U << row);
+            (minus ? mpz_submul : mpz_addmul)(sum, d[row], x->exact[less]);
+        }
+        zero &= mpz_sgn(sum) == 0;
+    }
+    x->known = level + 1;
+    return zero;
+}
+
+/* Does the direction chosen last depend on those before? */
+static bool is_dependent(normal_search *x, int level)
+{
+    bool zero = false;
+    x->known = x->known < level ? x->known : level;
+    find_minors(x, level);
+    for (unsigned set = (2U << level) - 1; set < 1U << x->m->dim; set = next_set(set))
+        if (fabs(x->minor[set]) > SHARE * x->size[set])
+            return false;
+    while (x->known <= level)
+        zero = find_exact_minors(x, x->known);
+    return zero;
+}
+
+/* ---- overlaps in doubles --------------------------------------------------------------------- */
+
+/* Add sign times what a side spans along n to [low, high]. */
+static void add_span_of_doubles(const normal_search *x, int side, double sign, const double *n,
+                                double *low, double *high)
+{
+    const fmb_minkowski_frame *f = &x->m->frame[side];
+    double span[2] = {0, 0};
+    for (int i = 0; i < f->naxes; i++) {
+        double sum = 0;
+        for (int j = 0; j < x->m->dim; j++)
+            sum += sign * n[j] * x->direction[x->first[side] + i].x[j];
+        double *end = &span[sum > 0];
+        *end = f->shape == FMB_CUBOID ? *end + sum : fabs(sum) > fabs(*end) ? sum : *end;
+    }
+    *low += span[0];
+    *high += span[1];
+}
+
+/* Bounds for overlap and size of the normal at hand, and whether it has no less than the best. */
+static bool is_surely_more(const normal_search *x, double *bound)
+{
+    int dim = x->m->dim, all = (1 << dim) - 1;
+    double n[MOST], off = LEAST, most = 0, least = 0, low = 0;
+    bool square = x->norm == FMB_NORM_EUCLIDEAN;
+    for (int j = 0; j < dim; j++) {
+        double size = x->size[all & ~(1 << j)], fuzz = SHARE * size;
+        n[j] = (j & 1 ? -1 : 1) * x->minor[all & ~(1 << j)];
+        double up = fabs(n[j]) + fuzz, down = fmax(fabs(n[j]) - fuzz, 0);
+        most += square ? up * up : up;
+        least += square ? down * down : down;
+        off += 2 * fuzz * x->weight[j];
+        low += n[j] * x->away[j];
+    }
+    double high = low;
+    add_span_of_doubles(x, 0, 1, n, &low, &high);
+    add_span_of_doubles(x, 1, -1, n, &low, &high);
+    if (x->m->moves) {
+        double drift = 0;
+        for (int j = 0; j < dim; j++)
+            drift += n[j] * x->direction[x->directions - 1].x[j];
+        *(drift < 0 ? &low : &high) += drift;
+    }
+    double overlap = fmin(high, -low);
+    *bound = ABOVE * (fmax(overlap, 0) + off) / (square ? sqrt(least) : least);
+    return overlap - off > x->best * (square ? sqrt(most) : most);
+}
+
+/* ---- overlaps in whole numbers --------------------------------------------------------------- */
 
 static void measure_normal(normal_search *x)
 {
     fmb_least_overlap *n = &x->at;
+    int all = (1 << x->m->dim) - 1;
+    for (int j = 0; j < x->m->dim; j++)
+        (j & 1 ? mpz_neg : mpz_set)(n->normal[j], x->exact[all & ~(1 << j)]);
     if (x->norm == FMB_NORM_EUCLIDEAN) {
         fmb_minkowski_dot(x->m, n->normal, n->normal, n->size);
         return;
@@ -88,25 +307,10 @@ static void measure_normal(normal_search *x)
     }
 }
 
-/* The normal of number i. */
-static void make_normal(normal_search *x, int i)
-{
-    mpz_t *f = x->direction[x->kind.normal[i][0]], *g = x->direction[x->kind.normal[i][1]];
-    mpz_t *n = x->at.normal;
-    if (x->m->dim == 2) {
-        mpz_set(n[0], f[1]);
-        mpz_neg(n[1], f[0]);
-    }
-    for (int j = 0; x->m->dim == 3 && j < 3; j++) {
-        mpz_mul(n[j], f[(j + 1) % 3], g[(j + 2) % 3]);
-        mpz_submul(n[j], f[(j + 2) % 3], g[(j + 1) % 3]);
-    }
-}
-
 /* Add sign times what a side spans along the normal to [low, high]. */
 static void add_span(normal_search *x, int side, int sign)
 {
-    const fmb_flat_side *f = &x->kind.side[side];
+    const fmb_minkowski_frame *f = &x->m->frame[side];
     mpz_set_ui(x->span[0], 0);
     mpz_set_ui(x->span[1], 0);
     for (int i = 0; i < f->naxes; i++) {
@@ -114,7 +318,7 @@ static void add_span(normal_search *x, int side, int sign)
         if (sign < 0)
             mpz_neg(x->t, x->t);
         mpz_ptr end = x->span[mpz_sgn(x->t) > 0];
-        if (!f->simplex)
+        if (f->shape == FMB_CUBOID)
             mpz_add(end, end, x->t);
         else if (mpz_cmpabs(x->t, end) > 0)
             mpz_set(end, x->t);
@@ -160,20 +364,6 @@ static bool is_less(normal_search *x, const fmb_least_overlap *least)
     return mpz_cmp(x->t, x->s) < 0;
 }
 
-/* At right angles to all directions, which are parallel. */
-static void take_any_normal(normal_search *x, fmb_least_overlap *out)
-{
-    mpz_t *f = x->direction[FMB_FLAT_WORLD];
-    for (int i = 0; i <= FMB_FLAT_DRIFT; i++)
-        for (int j = 0; j < x->m->dim; j++)
-            f = mpz_sgn(x->direction[i][j]) != 0 ? x->direction[i] : f;
-    int a = mpz_sgn(f[0]) != 0 ? 0 : 1, b = (a + 1) % x->m->dim;
-    mpz_set(out->normal[b], f[a]);
-    mpz_neg(out->normal[a], f[b]);
-    if (mpz_sgn(out->normal[a]) == 0 && mpz_sgn(out->normal[b]) == 0)
-        mpz_set_ui(out->normal[0], 1);
-}
-
 static void swap_overlaps(fmb_least_overlap *a, fmb_least_overlap *b)
 {
     fmb_least_overlap t = *a;
@@ -181,33 +371,72 @@ static void swap_overlaps(fmb_least_overlap *a, fmb_least_overlap *b)
     *b = t;
 }
 
-bool fmb_has_normals(const fmb_minkowski *m)
+/* ---- all normals ----------------------------------------------------------------------------- */
+
+/* The normal of dim - 1 directions, which are independent. */
+static fmb_status look_at_normal(normal_search *x, fmb_least_overlap *out)
 {
-    return (m->dim == 2 || m->dim == 3) && m->frame[0].naxes <= m->dim &&
-           m->frame[1].naxes <= m->dim;
+    double bound;
+    if (is_surely_more(x, &bound))
+        return FMB_OK;
+    while (x->known < x->m->dim - 1)
+        find_exact_minors(x, x->known);
+    measure_normal(x);
+    measure_overlap(x);
+    x->at.found = true;
+    if (is_less(x, out)) {
+        swap_overlaps(&x->at, out);
+        x->best = fmin(x->best, bound);
+    }
+    return fmb_run_poll(x->run);
 }
 
-void fmb_find_least_overlap(fmb_minkowski *m, fmb_norm norm, fmb_least_overlap *out)
+/* All choices that go on from the first `level`. Frames that are apart are known to be. */
+static fmb_status choose(normal_search *x, int level, int from, fmb_least_overlap *out)
 {
-    normal_search x = {.m = m, .norm = norm};
-    const int naxes[2] = {m->frame[0].naxes, m->frame[1].naxes};
-    const bool simplex[2] = {m->frame[0].shape == FMB_SIMPLEX, m->frame[1].shape == FMB_SIMPLEX};
-    for_each_number(&x, start_number);
-    fmb_least_overlap_init(&x.at);
-    fmb_flat_kind_of(m->dim, m->moves, naxes, simplex, &x.kind);
-    read_directions(&x);
-    for (int i = 0; i < x.kind.normals && mpz_sgn(out->overlap) >= 0; i++) {
-        make_normal(&x, i);
-        measure_normal(&x);
-        if (mpz_sgn(x.at.size) == 0)
+    fmb_status st = fmb_run_poll(x->run);
+    if (level == x->m->dim - 1)
+        return st == FMB_OK ? look_at_normal(x, out) : st;
+    const direction *last = level > 0 ? &x->direction[x->chosen[level - 1]] : NULL;
+    for (int i = from; st == FMB_OK && i < x->directions && mpz_sgn(out->overlap) >= 0; i++) {
+        const direction *next = &x->direction[i];
+        if (last && last->side == next->side && last->group != next->group)
             continue;
-        measure_overlap(&x);
-        x.at.found = true;
-        if (is_less(&x, out))
-            swap_overlaps(&x.at, out);
+        x->chosen[level] = i;
+        if (!is_dependent(x, level))
+            st = choose(x, level + 1, i + 1, out);
     }
-    if (!out->found)
+    return st;
+}
+
+/* At right angles to all directions, of which less than dim - 1 are independent: axes of the world
+ * are taken in for the others. */
+static void take_any_normal(normal_search *x, fmb_least_overlap *out)
+{
+    int level = 0;
+    x->known = 0;
+    for (int i = 0; level < x->m->dim - 1; i++) {
+        x->chosen[level] = i;
+        level += !find_exact_minors(x, level);
+    }
+    measure_normal(x);
+    swap_overlaps(&x->at, out);
+    out->found = false;
+}
+
+bool fmb_has_normals(const fmb_minkowski *m)
+{
+    return m->dim <= MOST && m->frame[0].naxes <= m->dim && m->frame[1].naxes <= m->dim;
+}
+
+fmb_status fmb_find_least_overlap(fmb_minkowski *m, fmb_norm norm, fmb_run *run,
+                                  fmb_least_overlap *out)
+{
+    normal_search x = {.m = m, .norm = norm, .run = run, .mem = m->mem};
+    fmb_status st = open_search(&x);
+    FMB_THEN(st, choose(&x, 0, 0, out));
+    if (st == FMB_OK && !out->found)
         take_any_normal(&x, out);
-    fmb_least_overlap_clear(&x.at);
-    for_each_number(&x, end_number);
+    close_search(&x);
+    return st;
 }
