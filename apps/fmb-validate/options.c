@@ -5,6 +5,7 @@
 #include "common/message.h"
 #include "common/parts.h"
 #include "common/value.h"
+#include "fmb-validate/difference.h"
 #include "fmb-validate/plan.h"
 #include "fmb-validate/watch.h"
 
@@ -39,7 +40,7 @@ static const struct argp_option options[] = {
     {"boxes", KEY_BOXES, NULL, 0, "Hold boxes, times and witnesses against the exact ones", 2},
     {"contact", KEY_CONTACT, NULL, 0,
      "In two and three dimensions hold depths, distances, normals, nearest points and rows between "
-     "against exact ones",
+     "against exact ones, in four to eight exact depths and distances against proofs",
      2},
     {"simd", KEY_SIMD, "WORD", 0, "auto, plain, avx2, avx512: the kernels to use [auto]", 2},
     {NULL, 0, NULL, 0, "Work:", 3},
@@ -124,8 +125,9 @@ static void finish(validate_plan *p, struct argp_state *state)
             argp_error(state, "--axes: %d axes are too many in %d dimensions",
                        p->usual.plan.naxes[f], least);
     for (int dim = 1; p->usual.contacts && dim <= STUDY_PAIR_MOST_DIM; dim++)
-        if ((p->wanted[dim][0] || p->wanted[dim][1]) && dim != 2 && dim != 3)
-            argp_error(state, "--contact is for 2 and 3 dimensions, not %d", dim);
+        if ((p->wanted[dim][0] || p->wanted[dim][1]) && (dim < 2 || dim > VALIDATE_MOST_DIM))
+            argp_error(state, "--contact is for 2 to %d dimensions, not %d", VALIDATE_MOST_DIM,
+                       dim);
     for (int i = 0; i < STUDY_PAIR_FAMILIES; i++)
         some_family |= p->family[i];
     p->family[STUDY_PAIR_ARTICLE] |= !some_family;
@@ -221,6 +223,7 @@ static const char doc[] =
     "  fmb-validate\n"
     "  fmb-validate 3d-static --families near,flat --pairs 10000 --boxes\n"
     "  fmb-validate --contact --families all --pairs 2000\n"
+    "  fmb-validate --dim 4,5,6 --contact --families all --pairs 1000\n"
     "  fmb-validate --dim 6 --families all --pairs 100 --failures wrong.jsonl\n"
     "  fmb-validate --shard 1/2 --json a; fmb-validate --shard 2/2 --json b; fmb-validate --merge "
     "a b\n";

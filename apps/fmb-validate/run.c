@@ -6,6 +6,7 @@
 
 #include "base/clock.h"
 #include "common/ranks.h"
+#include "fmb-validate/contacts.h"
 #include "fmb-validate/plan.h"
 #include "fmb-validate/watch.h"
 
@@ -42,8 +43,31 @@ static int by_number(const void *x, const void *y)
 
 /* ---- one thread ------------------------------------------------------------------------------ */
 
+/* What asks about the pairs of one job. */
+typedef struct asker {
+    study_validator *s;
+    validate_contacts *contacts; /* NULL: not wanted, or asked by s */
+} asker;
+
+static fmb_status open_asker(const study_validation *v, asker *a)
+{
+    study_validation rest = *v;
+    bool many = v->plan.dim >= VALIDATE_LEAST_DIM;
+    rest.contacts = v->contacts && !many;
+    fmb_status st = study_validator_open(&rest, &a->s);
+    if (st == FMB_OK && v->contacts && many)
+        st = validate_contacts_open(v, &a->contacts);
+    return st;
+}
+
+static void close_asker(asker *a)
+{
+    study_validator_close(a->s);
+    validate_contacts_close(a->contacts);
+}
+
 /* Do a chunk, lot by lot, or less after a signal: then the lot at hand does not count. */
-static fmb_status do_chunk(uint64_t first, uint64_t end, study_validator *s, study_tally *tally,
+static fmb_status do_chunk(uint64_t first, uint64_t end, const asker *a, study_tally *tally,
                            study_findings *found)
 {
     fmb_status st = FMB_OK;
@@ -53,7 +77,9 @@ static fmb_status do_chunk(uint64_t first, uint64_t end, study_validator *s, stu
         size_t n = left < STUDY_VALIDATE_MOST ? (size_t)left : STUDY_VALIDATE_MOST;
         size_t before = found->n;
         study_tally lot = {0};
-        st = study_validator_run(s, first, n, &lot, found);
+        st = study_validator_run(a->s, first, n, &lot, found);
+        if (st == FMB_OK && a->contacts)
+            st = validate_contacts_run(a->contacts, first, n, &lot, found, before);
         if (validate_watch_interrupted())
             found->n = before;
         else
@@ -64,8 +90,7 @@ static fmb_status do_chunk(uint64_t first, uint64_t end, study_validator *s, stu
 }
 
 /* Until there are no more. */
-static fmb_status take_chunks(work *w, study_validator *s, study_tally *tally,
-                              study_findings *found)
+static fmb_status take_chunks(work *w, const asker *a, study_tally *tally, study_findings *found)
 {
     fmb_status st = FMB_OK;
     while (st == FMB_OK && !validate_watch_interrupted()) {
@@ -77,14 +102,14 @@ static fmb_status take_chunks(work *w, study_validator *s, study_tally *tally,
         if (first >= w->to)
             break;
         uint64_t end = w->to - first < w->chunk ? w->to : first + w->chunk;
-        st = do_chunk(first, end, s, tally, found);
+        st = do_chunk(first, end, a, tally, found);
     }
     return st;
 }
 
 static void work_on(work *w)
 {
-    study_validator *s = NULL;
+    asker a = {NULL, NULL};
     study_tally tally = {0};
     study_findings found = {0};
     int thread;
@@ -92,10 +117,10 @@ static void work_on(work *w)
 #pragma omp critical(number)
 #endif
     thread = w->threads++;
-    fmb_status st = study_validator_open(&w->job->v, &s);
+    fmb_status st = open_asker(&w->job->v, &a);
     if (st == FMB_OK) {
-        validate_watch_set(thread, s);
-        st = take_chunks(w, s, &tally, &found);
+        validate_watch_set(thread, a.s);
+        st = take_chunks(w, &a, &tally, &found);
         validate_watch_set(thread, NULL);
     }
 #ifdef _OPENMP
@@ -108,7 +133,7 @@ static void work_on(work *w)
         if (st != FMB_OK)
             w->status = st;
     }
-    study_validator_close(s);
+    close_asker(&a);
     free(found.item);
 }
 

@@ -1,0 +1,420 @@
+/* difference.c: see difference.h.
+ *
+ * A facet of M is the sum of a face of S0, one of S1 and, perhaps, the drift: its normal is at
+ * right angles to D - 1 independent directions of edges of these faces and the drift. So of all
+ * choices of D - 1 edges the normals are those of all facets, and others, which tell no less. In
+ * four dimensions all choices are looked at. In more those edges of a face of a simplex are enough
+ * that begin at its first corner: they span what all its edges span.
+ *
+ * Long doubles tell of most normals that they reach farther than what is claimed. Integers are as
+ * good as their first 53 bits: within 2^-52. Let size be the sum of the products of a minor without
+ * signs. Of less than eight factors, whose sums have at most eight terms, a minor is off by less
+ * than 2^-44 of its size, and so is what is made of its products with the frames (40 terms). A
+ * number that is too large for them is none, and then they tell nothing.
+ */
+#include "fmb-validate/difference.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+
+#define SHARE 0x1p-44L
+
+enum { MOST = VALIDATE_MOST_DIM };
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static void for_each_number(validate_difference *m, void (*what)(mpz_ptr))
+{
+    for (int j = 0; j < MOST; j++) {
+        what(m->away[j]);
+        what(m->drift[j]);
+        for (int i = 0; i < 2 * MOST; i++)
+            what(m->axis[i / MOST][i % MOST][j]);
+        for (int i = 0; i < VALIDATE_MOST_EDGES; i++)
+            what(m->edge[i].x[j]);
+    }
+}
+
+static void start_number(mpz_ptr x)
+{
+    mpz_init(x);
+}
+
+static void end_number(mpz_ptr x)
+{
+    mpz_clear(x);
+}
+
+void validate_difference_init(validate_difference *m)
+{
+    for_each_number(m, start_number);
+}
+
+void validate_difference_clear(validate_difference *m)
+{
+    for_each_number(m, end_number);
+}
+
+/* ---- numbers --------------------------------------------------------------------------------- */
+
+/* x = whole 2^exponent, whole odd or 0. */
+static double whole_part(double x, int *exponent)
+{
+    double whole = ldexp(frexp(x, exponent), DBL_MANT_DIG);
+    *exponent -= DBL_MANT_DIG;
+    for (; whole != 0 && fmod(whole, 2) == 0; whole /= 2)
+        ++*exponent;
+    return whole;
+}
+
+static int lowest_unit(const double *x, int n, int unit)
+{
+    int exponent;
+    for (int i = 0; x && i < n; i++)
+        if (whole_part(x[i], &exponent) != 0 && exponent < unit)
+            unit = exponent;
+    return unit;
+}
+
+/* Add sign times x, which is a multiple of the unit. */
+static void add_double(const validate_difference *m, double x, int sign, mpz_t to)
+{
+    int exponent;
+    mpz_t z;
+    mpz_init_set_d(z, sign * whole_part(x, &exponent));
+    if (mpz_sgn(z) != 0)
+        mpz_mul_2exp(z, z, (mp_bitcnt_t)(exponent - m->unit));
+    mpz_add(to, to, z);
+    mpz_clear(z);
+}
+
+/* An edge between two corners; 0 is the origin. */
+static void add_edge(validate_difference *m, int side, int from, int to)
+{
+    validate_edge *e = &m->edge[m->edges++];
+    e->side = side;
+    e->corner = from;
+    for (int j = 0; j < m->dim; j++) {
+        mpz_set(e->x[j], m->axis[side][to - 1][j]);
+        if (from > 0)
+            mpz_sub(e->x[j], e->x[j], m->axis[side][from - 1][j]);
+    }
+}
+
+static void list_edges(validate_difference *m)
+{
+    m->edges = 0;
+    for (int side = 0; side < 2; side++)
+        for (int from = 0; from == 0 || (m->simplex[side] && from < m->naxes[side]); from++)
+            for (int to = from + 1; to <= m->naxes[side]; to++)
+                add_edge(m, side, from, to);
+    if (!m->moves)
+        return;
+    validate_edge *e = &m->edge[m->edges++];
+    e->side = 2;
+    for (int j = 0; j < m->dim; j++)
+        mpz_set(e->x[j], m->drift[j]);
+}
+
+void validate_difference_load(validate_difference *m, const fmb_frame *p, const fmb_frame *q)
+{
+    const fmb_frame *const f[2] = {p, q};
+    m->dim = p->dim;
+    m->moves = p->speed || q->speed;
+    m->unit = INT_MAX;
+    for (int k = 0; k < 2; k++) {
+        m->naxes[k] = f[k]->naxes;
+        m->simplex[k] = f[k]->shape == FMB_SIMPLEX;
+        m->unit = lowest_unit(f[k]->origin, m->dim, m->unit);
+        m->unit = lowest_unit(f[k]->axes, m->dim * f[k]->naxes, m->unit);
+        m->unit = lowest_unit(f[k]->speed, m->dim, m->unit);
+    }
+    for (int j = 0; j < m->dim; j++) {
+        mpz_set_ui(m->away[j], 0);
+        mpz_set_ui(m->drift[j], 0);
+        for (int k = 0; k < 2; k++) {
+            int sign = k == 0 ? 1 : -1;
+            add_double(m, f[k]->origin[j], sign, m->away[j]);
+            if (f[k]->speed)
+                add_double(m, f[k]->speed[j], sign, m->drift[j]);
+            for (int i = 0; i < f[k]->naxes; i++) {
+                mpz_set_ui(m->axis[k][i][j], 0);
+                add_double(m, f[k]->axes[i * m->dim + j], sign, m->axis[k][i][j]);
+            }
+        }
+    }
+    list_edges(m);
+}
+
+/* ---- how far M reaches ----------------------------------------------------------------------- */
+
+static void dot(validate_difference *m, mpz_t *a, mpz_t *b, mpz_t out)
+{
+    mpz_set_ui(out, 0);
+    for (int j = 0; j < m->dim; j++)
+        mpz_addmul(out, a[j], b[j]);
+}
+
+void validate_reach(validate_difference *m, mpz_t *y, mpz_t out)
+{
+    mpz_t most, part;
+    mpz_inits(most, part, NULL);
+    dot(m, m->away, y, out);
+    for (int k = 0; k < 2; k++) {
+        mpz_set_ui(most, 0);
+        for (int i = 0; i < m->naxes[k]; i++) {
+            dot(m, m->axis[k][i], y, part);
+            if (mpz_sgn(part) > 0 && !m->simplex[k])
+                mpz_add(most, most, part);
+            else if (mpz_cmp(part, most) > 0)
+                mpz_set(most, part);
+        }
+        mpz_add(out, out, most);
+    }
+    dot(m, m->drift, y, part);
+    if (mpz_sgn(part) > 0)
+        mpz_add(out, out, part);
+    mpz_clears(most, part, NULL);
+}
+
+/* ---- normals --------------------------------------------------------------------------------- */
+
+typedef struct search {
+    validate_difference *m;
+    mpq_srcptr square; /* the claim */
+    long double length;
+    int chosen[MOST], set[1 << MOST], from[MOST + 2];
+    long double away[MOST], axis[2][MOST][MOST], drift[MOST], weight[MOST];
+    long double edge[VALIDATE_MOST_EDGES][MOST];
+    long double minor[1 << MOST], size[1 << MOST]; /* of the edges chosen, by sets of coordinates */
+    mpz_t table[MOST][MOST];                       /* [dim - 1][dim] */
+    mpz_t normal[MOST], reach, norm;
+    mpq_t ratio;
+    bool any, equal, less; /* normals: that are not 0; that reach as far as is claimed; less far */
+} search;
+
+static long double nearly(const mpz_t z)
+{
+    long exponent;
+    double x = mpz_get_d_2exp(&exponent, z);
+    return ldexpl(x, (int)exponent);
+}
+
+static void read_long_doubles(search *s)
+{
+    validate_difference *m = s->m;
+    for (int j = 0; j < m->dim; j++) {
+        s->away[j] = nearly(m->away[j]);
+        s->drift[j] = nearly(m->drift[j]);
+        s->weight[j] = fabsl(s->away[j]) + fabsl(s->drift[j]);
+        for (int k = 0; k < 2; k++)
+            for (int i = 0; i < m->naxes[k]; i++) {
+                s->axis[k][i][j] = nearly(m->axis[k][i][j]);
+                s->weight[j] += fabsl(s->axis[k][i][j]);
+            }
+        for (int i = 0; i < m->edges; i++)
+            s->edge[i][j] = nearly(m->edge[i].x[j]);
+    }
+    s->length = sqrtl(nearly(mpq_numref(s->square)) / nearly(mpq_denref(s->square))) * (1 + SHARE);
+}
+
+/* Sets of coordinates by their number: those of k begin at from[k]. */
+static void list_sets(search *s)
+{
+    int n = 0;
+    for (int k = 0; k <= s->m->dim; k++) {
+        s->from[k] = n;
+        for (int set = 0; set < 1 << s->m->dim; set++)
+            if (__builtin_popcount((unsigned)set) == k)
+                s->set[n++] = set;
+    }
+    s->from[s->m->dim + 1] = n;
+}
+
+/* The minors of one edge more, from those before it. */
+static void expand(search *s, int level)
+{
+    const long double *x = s->edge[s->chosen[level]];
+    for (int i = s->from[level + 1]; i < s->from[level + 2]; i++) {
+        int set = s->set[i], sign = 1;
+        long double minor = 0, size = 0;
+        for (int rest = set; rest != 0; rest &= rest - 1, sign = -sign) {
+            int j = __builtin_ctz((unsigned)rest), less = set ^ 1 << j;
+            minor += sign * x[j] * s->minor[less];
+            size += fabsl(x[j]) * s->size[less];
+        }
+        s->minor[set] = minor;
+        s->size[set] = size;
+    }
+}
+
+static long double along(const search *s, const long double *n, const long double *x)
+{
+    long double sum = 0;
+    for (int j = 0; j < s->m->dim; j++)
+        sum += n[j] * x[j];
+    return sum;
+}
+
+/* The least and the largest value of n.m on M. */
+static void find_ends(const search *s, const long double *n, long double end[2])
+{
+    long double drift = along(s, n, s->drift);
+    end[0] = end[1] = along(s, n, s->away);
+    end[drift > 0] += drift;
+    for (int k = 0; k < 2; k++) {
+        long double sum[2] = {0, 0}, most[2] = {0, 0};
+        for (int i = 0; i < s->m->naxes[k]; i++) {
+            long double part = along(s, n, s->axis[k][i]);
+            int up = part > 0;
+            sum[up] += part;
+            most[up] = fabsl(part) > fabsl(most[up]) ? part : most[up];
+        }
+        for (int up = 0; up < 2; up++)
+            end[up] += s->m->simplex[k] ? most[up] : sum[up];
+    }
+}
+
+/* Does M surely reach farther than claimed along the normal of the edges chosen, and back? */
+static bool reaches_farther(const search *s)
+{
+    int all = (1 << s->m->dim) - 1;
+    long double n[MOST], end[2], norm = 0, off = 0;
+    for (int j = 0; j < s->m->dim; j++) {
+        long double fuzz = SHARE * s->size[all ^ 1 << j];
+        n[j] = (j % 2 ? -1 : 1) * s->minor[all ^ 1 << j];
+        norm += (fabsl(n[j]) + fuzz) * (fabsl(n[j]) + fuzz);
+        off += 2 * fuzz * s->weight[j];
+    }
+    find_ends(s, n, end);
+    long double beyond = off + (1 + SHARE) * s->length * sqrtl(norm);
+    return end[1] > beyond && -end[0] > beyond;
+}
+
+/* ---- the same in whole numbers --------------------------------------------------------------- */
+
+/* Row i of the table, whose pivot is in that column, goes into all others; what they have in common
+ * then, the pivot before, goes out of them (E. H. Bareiss). */
+static void clear_column(search *s, int i, int column, const mpz_t before)
+{
+    int dim = s->m->dim;
+    for (int k = 0; k < dim - 1; k++) {
+        if (k == i)
+            continue;
+        mpz_set(s->reach, s->table[k][column]);
+        for (int j = 0; j < dim; j++) {
+            mpz_mul(s->table[k][j], s->table[k][j], s->table[i][column]);
+            mpz_submul(s->table[k][j], s->reach, s->table[i][j]);
+            mpz_divexact(s->table[k][j], s->table[k][j], before);
+        }
+    }
+}
+
+/* A row from i on goes to place i that is not 0 in that column; false if none is. */
+static bool find_pivot(search *s, int i, int column)
+{
+    int row = i;
+    while (row < s->m->dim - 1 && mpz_sgn(s->table[row][column]) == 0)
+        row++;
+    for (int j = 0; row < s->m->dim - 1 && row != i && j < s->m->dim; j++)
+        mpz_swap(s->table[i][j], s->table[row][j]);
+    return row < s->m->dim - 1;
+}
+
+/* After elimination all pivots are the same number, and one column has none: there the normal is
+ * that number, and elsewhere what the row of the pivot makes it. False if edges are dependent. */
+static bool find_normal(search *s)
+{
+    int dim = s->m->dim, without = -1;
+    mpz_set_ui(s->norm, 1);
+    for (int i = 0; i < dim - 1; i++)
+        for (int j = 0; j < dim; j++)
+            mpz_set(s->table[i][j], s->m->edge[s->chosen[i]].x[j]);
+    for (int i = 0, column = 0; column < dim; column++) {
+        if (i < dim - 1 && find_pivot(s, i, column)) {
+            clear_column(s, i, column, s->norm);
+            mpz_set(s->norm, s->table[i][column]);
+            i++;
+        } else if (without >= 0) {
+            return false;
+        } else {
+            without = column;
+        }
+    }
+    mpz_set(s->normal[without], s->norm);
+    for (int i = 0; i < dim - 1; i++)
+        mpz_neg(s->normal[i < without ? i : i + 1], s->table[i][without]);
+    return true;
+}
+
+/* reach / |n| beside what is claimed. */
+static void compare_reach(search *s)
+{
+    validate_reach(s->m, s->normal, s->reach);
+    dot(s->m, s->normal, s->normal, s->norm);
+    mpz_mul(mpq_numref(s->ratio), s->reach, s->reach);
+    mpz_set(mpq_denref(s->ratio), s->norm);
+    mpq_canonicalize(s->ratio);
+    int order = mpz_sgn(s->reach) < 0 ? -1 : mpq_cmp(s->ratio, s->square);
+    s->equal |= order == 0;
+    s->less |= order < 0;
+}
+
+static void look_at_normal(search *s)
+{
+    if (reaches_farther(s)) {
+        s->any = true;
+        return;
+    }
+    if (!find_normal(s))
+        return;
+    s->any = true;
+    compare_reach(s);
+    for (int j = 0; j < s->m->dim; j++)
+        mpz_neg(s->normal[j], s->normal[j]);
+    compare_reach(s);
+}
+
+static void choose(search *s, int level, int from)
+{
+    if (level == s->m->dim - 1) {
+        look_at_normal(s);
+        return;
+    }
+    const validate_edge *last = level > 0 ? &s->m->edge[s->chosen[level - 1]] : NULL;
+    for (int i = from; i < s->m->edges && !s->less; i++) {
+        const validate_edge *next = &s->m->edge[i];
+        if (s->m->dim > 4 && last && last->side == next->side && last->corner != next->corner)
+            continue;
+        s->chosen[level] = i;
+        expand(s, level);
+        choose(s, level + 1, i + 1);
+    }
+}
+
+/* Any interior that M has is inside of all its facets, and the nearest of these is as far from 0 as
+ * the boundary. If M lies in one plane its normal is among these, and reaches 0 far one way; if in
+ * less than a plane, all are 0. */
+bool validate_depth_is(validate_difference *m, const mpq_t square)
+{
+    search s = {.m = m, .square = square, .minor[0] = 1, .size[0] = 1};
+    for (int i = 0; i < MOST; i++) {
+        mpz_init(s.normal[i]);
+        for (int j = 0; j < MOST; j++)
+            mpz_init(s.table[i][j]);
+    }
+    mpz_inits(s.reach, s.norm, NULL);
+    mpq_init(s.ratio);
+    read_long_doubles(&s);
+    list_sets(&s);
+    choose(&s, 0, 0);
+    for (int i = 0; i < MOST; i++) {
+        mpz_clear(s.normal[i]);
+        for (int j = 0; j < MOST; j++)
+            mpz_clear(s.table[i][j]);
+    }
+    mpz_clears(s.reach, s.norm, NULL);
+    mpq_clear(s.ratio);
+    return !s.less && (s.any ? s.equal : mpq_sgn(square) == 0);
+}
