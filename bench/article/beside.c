@@ -40,7 +40,8 @@ static union {
     Frame2DTime moving_2[2][PAIRS];
     Frame3DTime moving_3[2][PAIRS];
 } theirs;
-static study_pair ours[PAIRS];
+static study_pairs ours;
+static study_rows_inverse inverse[PAIRS];
 static study_sat_record records[2][PAIRS];
 static study_article *work;
 static study_sat_records_meet *our_sat;
@@ -66,7 +67,8 @@ ORIGINALS(moving_3, FMBTestIntersection3DTime, SATTestIntersection3DTime)
 static bool our_fmb(size_t i)
 {
     fmb_verdict verdict;
-    study_article_test(work, &ours[i].p, &ours[i].q, STUDY_ARTICLE_PUBLISHED, NULL, &verdict);
+    study_article_test(work, &inverse[i], &ours.p[i], &ours.q[i], STUDY_ARTICLE_PUBLISHED, NULL,
+                       &verdict);
     return verdict == FMB_FEASIBLE;
 }
 LOOP(ours_fmb, our_fmb(i))
@@ -114,30 +116,42 @@ static void put_theirs(const cell *c, int side, size_t i, const fmb_frame *f)
         MOVING(theirs.moving_3[side][i], Frame3DTimeCreateStatic, 3);
 }
 
-/* The first pairs of the article's generator that are of the cell; how many of them the programs
- * answer in different ways. */
-static size_t draw_cell(const cell *c, uint64_t seed)
+static bool is_of_cell(void *self, const fmb_frame *p, const fmb_frame *q)
 {
-    study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = c->dim, .moves = c->moves};
-    size_t n = 0, different = 0;
-    memcpy(plan.shape, c->shape, sizeof plan.shape);
-    for (uint64_t k = 0; n < PAIRS; k++) {
-        study_pair_draw(&plan, seed, k, &ours[n]);
-        if (study_sat_plain(&ours[n].p, &ours[n].q) != c->meets)
-            continue;
-        study_sat_record_make(&ours[n].p, &records[0][n]);
-        study_sat_record_make(&ours[n].q, &records[1][n]);
-        put_theirs(c, 0, n, &ours[n].p);
-        put_theirs(c, 1, n, &ours[n].q);
+    return study_sat_plain(p, q) == ((const cell *)self)->meets;
+}
+
+/* How many of the pairs the programs answer in different ways. */
+static size_t count_different(const cell *c)
+{
+    size_t different = 0;
+    for (size_t i = 0; i < PAIRS; i++) {
         bool said[WAYS];
         for (int w = 0; w < WAYS; w++) {
-            (w < 2 ? ORIGINAL_WAY[c->dim - 2][c->moves][w] : OUR_WAY[w - 2])(n, 1, 1);
-            said[w] = met[n];
+            (w < 2 ? ORIGINAL_WAY[c->dim - 2][c->moves][w] : OUR_WAY[w - 2])(i, 1, 1);
+            said[w] = met[i];
         }
         different += said[0] != said[2] || said[1] != said[3];
-        n++;
     }
     return different;
+}
+
+/* The first pairs of the article's generator that are of the cell, as each program has them. */
+static bool draw_cell(cell *c, uint64_t seed)
+{
+    study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = c->dim, .moves = c->moves};
+    memcpy(plan.shape, c->shape, sizeof plan.shape);
+    study_pairs_free(&ours);
+    if (study_pairs_make(&plan, seed, PAIRS, is_of_cell, c, &ours) != FMB_OK)
+        return false;
+    for (size_t i = 0; i < PAIRS; i++) {
+        study_article_invert(&ours.p[i], &inverse[i]);
+        study_sat_record_make(&ours.p[i], &records[0][i]);
+        study_sat_record_make(&ours.q[i], &records[1][i]);
+        put_theirs(c, 0, i, &ours.p[i]);
+        put_theirs(c, 1, i, &ours.q[i]);
+    }
+    return true;
 }
 
 /* ---- measuring ------------------------------------------------------------------------------- */
@@ -208,14 +222,17 @@ static cell cell_of_number(int i)
     return c;
 }
 
-static void measure_all(uint64_t seed, cell_times *times)
+static bool measure_all(uint64_t seed, cell_times *times)
 {
     for (int i = 0; i < CELLS; i++) {
         cell c = cell_of_number(i);
         our_sat = study_sat_program(c.dim, c.moves);
-        times[i].different = draw_cell(&c, seed);
+        if (!draw_cell(&c, seed))
+            return false;
+        times[i].different = count_different(&c);
         measure(&c, &times[i]);
     }
+    return true;
 }
 
 static bool report(const cell *c, const cell_times *t)
@@ -265,7 +282,8 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     read_times(argv[2], times);
     for (int round = 0; round < ROUNDS; round++)
-        measure_all(strtoull(argv[1], NULL, 10), times);
+        if (!measure_all(strtoull(argv[1], NULL, 10), times))
+            return EXIT_FAILURE;
     if (!write_times(argv[2], times))
         return EXIT_FAILURE;
     printf("%20srepeated, as the article does     |      distinct pairs           | FMB/SAT, "
@@ -279,5 +297,6 @@ int main(int argc, char **argv)
     }
     printf("%d of %d cells within 15 %%\n", good, CELLS);
     study_article_free(work);
+    study_pairs_free(&ours);
     return good == CELLS ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -333,15 +333,22 @@ static progress go_down(study_article *w, const fmb_frame *p, const fmb_frame *q
     return at;
 }
 
-fmb_status study_article_test(study_article *w, const fmb_frame *p, const fmb_frame *q,
-                              study_article_box_kind kind, study_article_box *box, fmb_verdict *out)
+void study_article_invert(const fmb_frame *p, study_rows_inverse *out)
+{
+    study_rows_invert(p, epsilon, out);
+}
+
+fmb_status study_article_test(study_article *w, const study_rows_inverse *inverse,
+                              const fmb_frame *p, const fmb_frame *q, study_article_box_kind kind,
+                              study_article_box *box, fmb_verdict *out)
 {
     double ends[2];
     study_rows_image x;
     int n = p->dim + (p->speed || q->speed), last = n - 1;
     *out = FMB_UNKNOWN;
-    if (!study_rows_see(p, q, epsilon, &x))
+    if (!inverse->exists)
         return FMB_OK;
+    study_rows_see(inverse, p, q, &x);
     progress at = go_down(w, p, q, n, &x);
     if (at == REFUTED)
         *out = FMB_INFEASIBLE;

@@ -31,10 +31,14 @@ typedef struct study_article study_article;
 fmb_status study_article_new(study_article **out);
 void study_article_free(study_article *w);
 
-/* The verdict on two frames with all axes; UNKNOWN if p has no inverse, or more rows arise than any
- * study wants. box, unless NULL, is written if they meet. Errors: MEMORY. */
-fmb_status study_article_test(study_article *w, const fmb_frame *p, const fmb_frame *q,
-                              study_article_box_kind kind, study_article_box *box,
-                              fmb_verdict *out);
+/* What the article's program keeps of each frame: its inverse, which exists unless it is too small
+ * for that program. */
+void study_article_invert(const fmb_frame *p, study_rows_inverse *out);
+
+/* The verdict on two frames with all axes, by p's inverse; UNKNOWN if p has none, or more rows
+ * arise than any study wants. box, unless NULL, is written if they meet. Errors: MEMORY. */
+fmb_status study_article_test(study_article *w, const study_rows_inverse *inverse,
+                              const fmb_frame *p, const fmb_frame *q, study_article_box_kind kind,
+                              study_article_box *box, fmb_verdict *out);
 
 #endif

@@ -8,32 +8,26 @@ enum { D = STUDY_ROWS_MOST_DIM };
 
 /* ---- the inverse ----------------------------------------------------------------------------- */
 
-/* Row i of to is the functional that is 1 on axis i and 0 on the others. */
-typedef struct dual {
-    double to[D][D];
-} dual;
-
 /* Two and three axes: cofactors over the determinant, which is returned. */
-static inline double invert_by_cofactors(int dim, const double *a, dual *out)
+static double invert_by_cofactors(int dim, const double *a, double *to)
 {
     double det;
     if (dim == 2) {
         det = a[0] * a[3] - a[1] * a[2];
-        out->to[0][0] = a[3] / det;
-        out->to[0][1] = -a[2] / det;
-        out->to[1][0] = -a[1] / det;
-        out->to[1][1] = a[0] / det;
+        to[0] = a[3] / det;
+        to[1] = -a[2] / det;
+        to[2] = -a[1] / det;
+        to[3] = a[0] / det;
         return det;
     }
     for (int i = 0; i < 3; i++) {
         const double *p = a + 3 * ((i + 1) % 3), *q = a + 3 * ((i + 2) % 3);
         for (int j = 0; j < 3; j++)
-            out->to[i][j] = p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
+            to[3 * i + j] = p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
     }
-    det = a[0] * out->to[0][0] + a[1] * out->to[0][1] + a[2] * out->to[0][2];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            out->to[i][j] /= det;
+    det = a[0] * to[0] + a[1] * to[1] + a[2] * to[2];
+    for (int i = 0; i < 9; i++)
+        to[i] /= det;
     return det;
 }
 
@@ -76,7 +70,7 @@ static double reduce(int dim, double w[D][2 * D])
 }
 
 /* Rows of `axes` are axes, so column i of its inverse is 1 on axis i and 0 on the others. */
-static double invert_by_elimination(int dim, const double *a, dual *out)
+static double invert_by_elimination(int dim, const double *a, double *to)
 {
     double w[D][2 * D] = {{0}};
     for (int i = 0; i < dim; i++) {
@@ -86,14 +80,15 @@ static double invert_by_elimination(int dim, const double *a, dual *out)
     double det = reduce(dim, w);
     for (int i = 0; i < dim; i++)
         for (int j = 0; j < dim; j++)
-            out->to[i][j] = w[j][dim + i];
+            to[i * dim + j] = w[j][dim + i];
     return det;
 }
 
-static inline double invert(int dim, const double *a, dual *out)
+bool study_rows_invert(const fmb_frame *p, double least, study_rows_inverse *out)
 {
-    return dim == 2 || dim == 3 ? invert_by_cofactors(dim, a, out)
-                                : invert_by_elimination(dim, a, out);
+    double det = p->dim == 2 || p->dim == 3 ? invert_by_cofactors(p->dim, p->axes, out->to)
+                                            : invert_by_elimination(p->dim, p->axes, out->to);
+    return out->exists = fabs(det) >= least && det != 0;
 }
 
 /* ---- the rows -------------------------------------------------------------------------------- */
@@ -109,46 +104,37 @@ ROWS_INLINE double dot(int dim, const double *x, const double *y)
     return sum;
 }
 
-ROWS_INLINE bool project(int dim, const fmb_frame *p, const fmb_frame *q, double least,
+ROWS_INLINE void project(int dim, const double *inverse, const fmb_frame *p, const fmb_frame *q,
                          study_rows_image *out)
 {
-    dual inverse;
-    double shift[D], drift[D], det = invert(dim, p->axes, &inverse);
+    double shift[D], drift[D];
     bool moves = p->speed || q->speed;
-    if (!(fabs(det) >= least) || det == 0)
-        return false;
     for (int j = 0; j < dim; j++) {
         shift[j] = q->origin[j] - p->origin[j];
         if (moves)
             drift[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
     }
     for (int i = 0; i < dim; i++) {
-        out->base[i] = dot(dim, inverse.to[i], shift);
+        out->base[i] = dot(dim, inverse + i * dim, shift);
         for (int k = 0; k < dim; k++)
-            out->to[i][k] = dot(dim, inverse.to[i], q->axes + k * dim);
+            out->to[i][k] = dot(dim, inverse + i * dim, q->axes + k * dim);
         if (moves)
-            out->to[i][dim] = dot(dim, inverse.to[i], drift);
+            out->to[i][dim] = dot(dim, inverse + i * dim, drift);
     }
-    return true;
 }
 
-/* Apart, so that the usual numbers of dimensions need no room for its matrices. */
-static __attribute__((noinline)) bool project_in_any_dimension(const fmb_frame *p,
-                                                               const fmb_frame *q, double least,
-                                                               study_rows_image *out)
-{
-    return project(p->dim, p, q, least, out);
-}
-
-bool study_rows_see(const fmb_frame *p, const fmb_frame *q, double least, study_rows_image *out)
+void study_rows_see(const study_rows_inverse *inverse, const fmb_frame *p, const fmb_frame *q,
+                    study_rows_image *out)
 {
     switch (p->dim) {
     case 2:
-        return project(2, p, q, least, out);
+        project(2, inverse->to, p, q, out);
+        break;
     case 3:
-        return project(3, p, q, least, out);
+        project(3, inverse->to, p, q, out);
+        break;
     default:
-        return project_in_any_dimension(p, q, least, out);
+        project(p->dim, inverse->to, p, q, out);
     }
 }
 
@@ -205,8 +191,10 @@ static void put_bounds(const fmb_frame *q, study_rows *s)
 bool study_rows_make(const fmb_frame *p, const fmb_frame *q, double least, study_rows *out)
 {
     study_rows_image x;
-    if (!study_rows_see(p, q, least, &x))
+    study_rows_inverse inverse;
+    if (!study_rows_invert(p, least, &inverse))
         return false;
+    study_rows_see(&inverse, p, q, &x);
     out->n = p->dim + (p->speed || q->speed);
     out->m = 0;
     put_facets(p, &x, out);
