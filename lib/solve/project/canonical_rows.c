@@ -75,17 +75,19 @@ static void close_echelon(echelon *e)
     mpz_clears(e->p, e->a, e->g, NULL);
 }
 
-/* of = (p of - a other) / g, p, a and g being those of e. */
+/* of = (p of - a other) / g, p, a and g being those of e; nothing without claims. */
 static void combine_origins(echelon *e, mpq_t *of, mpq_t *other)
 {
     mpq_t p, a, t;
+    if (!of)
+        return;
     mpq_inits(p, a, t, NULL);
     mpq_set_z(p, e->p);
     mpq_set_z(a, e->a);
     mpz_set(mpq_numref(t), e->g);
     mpq_div(p, p, t);
     mpq_div(a, a, t);
-    for (size_t k = 0; of && k < e->size; k++) {
+    for (size_t k = 0; k < e->size; k++) {
         mpq_mul(of[k], of[k], p);
         if (!other)
             continue;
