@@ -85,8 +85,10 @@ static fmb_tiny_step keep_unless_constant(fmb_tiny *t)
     const int64_t *a = next->a[i];
     if (!names_no_variable(a, t->n - 1))
         next->rows++;
-    else if (a[0] < 0 || (a[0] == 0 && next->strict[i]))
+    else if (a[0] < 0 || (a[0] == 0 && next->strict[i])) {
+        t->clash = next->history[i];
         return FMB_TINY_CLASH;
+    }
     return FMB_TINY_GO;
 }
 
@@ -130,6 +132,7 @@ static void close_variable(fmb_tiny *t, int c)
     int n = t->n--;
     for (int side = 0; side < 2; side++) {
         t->end[side][c] = t->end[side][n];
+        t->end_history[side][c] = t->end_history[side][n];
         t->open[side] = (t->open[side] & ~(1u << c)) | (t->open[side] >> n & 1) << c;
     }
 }
@@ -167,8 +170,9 @@ static fmb_tiny_step make_round(fmb_tiny *t)
 static fmb_tiny_step note_pair_as_bound(fmb_tiny *t, int p, int q, int c, int d)
 {
     const int64_t *a = t->now->a[p], *b = t->now->a[q];
+    uint64_t history = t->now->history[p] | t->now->history[q];
     t->stats->pairs++;
-    if (has_more_than(t->now->history[p] | t->now->history[q], t->since + 2)) {
+    if (has_more_than(history, t->since + 2)) {
         t->stats->rows_dropped++;
         return FMB_TINY_GO;
     }
@@ -176,7 +180,7 @@ static fmb_tiny_step note_pair_as_bound(fmb_tiny *t, int p, int q, int c, int d)
     int64_t f = b[c], g = -a[c];
     return fmb_tiny_note(t, fmb_i128_plus_product(fmb_i128_product(f, a[d]), g, b[d]),
                          fmb_i128_plus_product(fmb_i128_product(f, a[0]), g, b[0]),
-                         t->now->strict[p] || t->now->strict[q]);
+                         t->now->strict[p] || t->now->strict[q], history);
 }
 
 static fmb_tiny_step make_last_round(fmb_tiny *t)
@@ -191,13 +195,37 @@ static fmb_tiny_step make_last_round(fmb_tiny *t)
             s.row[a > 0][s.rows[a > 0]++] = (uint8_t)i;
         else if (step == FMB_TINY_GO)
             step = fmb_tiny_note(t, fmb_i128_of(t->now->a[i][d]), fmb_i128_of(t->now->a[i][0]),
-                                 t->now->strict[i]);
+                                 t->now->strict[i], t->now->history[i]);
     }
     for (int i = 0; i < s.rows[0]; i++)
         for (int j = 0; step == FMB_TINY_GO && j < s.rows[1]; j++)
             step = note_pair_as_bound(t, s.row[0][i], s.row[1][j], c, d);
     t->stats->rounds += s.rows[0] > 0 && s.rows[1] > 0;
-    return step == FMB_TINY_GO && !fmb_tiny_is_open(t) ? FMB_TINY_CLASH : step;
+    return step == FMB_TINY_GO ? fmb_tiny_compare_ends(t) : step;
+}
+
+static void begin(fmb_tiny *t, size_t n, fmb_stats *stats)
+{
+    t->stats = stats;
+    t->now = &t->table[0];
+    t->next = &t->table[1];
+    t->n = (int)n;
+    t->since = 0;
+    t->most_pairs = n < 7 ? FMB_TINY_PAIRS : FMB_TINY_FEW_PAIRS;
+    t->last[0].known = t->last[1].known = false;
+}
+
+/* The rows were loaded, which is the step before. */
+static fmb_verdict eliminate_all(fmb_tiny *t, fmb_tiny_step step)
+{
+    t->stats->rows_peak = (uint64_t)t->now->rows;
+    while (step == FMB_TINY_GO && t->n > 2)
+        step = make_round(t);
+    if (step == FMB_TINY_GO)
+        step = make_last_round(t);
+    return step == FMB_TINY_GO      ? FMB_FEASIBLE
+           : step == FMB_TINY_CLASH ? FMB_INFEASIBLE
+                                    : FMB_UNKNOWN;
 }
 
 fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats)
@@ -205,19 +233,18 @@ fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats)
     fmb_tiny t;
     if (fmb_system_dim(s) > FMB_TINY_VARIABLES || s->rows > FMB_TINY_BASE)
         return FMB_UNKNOWN;
-    t.stats = stats;
-    t.now = &t.table[0];
-    t.next = &t.table[1];
-    t.since = 0;
-    t.most_pairs = fmb_system_dim(s) < 7 ? FMB_TINY_PAIRS : FMB_TINY_FEW_PAIRS;
-    t.last[0].known = t.last[1].known = false;
-    fmb_tiny_step step = fmb_tiny_load(&t, s);
-    stats->rows_peak = (uint64_t)t.now->rows;
-    while (step == FMB_TINY_GO && t.n > 2)
-        step = make_round(&t);
-    if (step == FMB_TINY_GO)
-        step = make_last_round(&t);
-    return step == FMB_TINY_GO      ? FMB_FEASIBLE
-           : step == FMB_TINY_CLASH ? FMB_INFEASIBLE
-                                    : FMB_UNKNOWN;
+    begin(&t, (size_t)fmb_system_dim(s), stats);
+    return eliminate_all(&t, fmb_tiny_load(&t, s));
+}
+
+fmb_verdict fmb_tiny_find_tight(size_t n, size_t m, const fmb_vec *row, uint64_t *tight)
+{
+    fmb_tiny t;
+    fmb_stats stats = {0};
+    if (n > FMB_TINY_VARIABLES || m > FMB_TINY_BASE)
+        return FMB_UNKNOWN;
+    begin(&t, n, &stats);
+    fmb_verdict verdict = eliminate_all(&t, fmb_tiny_load_strict(&t, n, m, row));
+    *tight = verdict == FMB_INFEASIBLE ? t.clash : 0;
+    return verdict;
 }

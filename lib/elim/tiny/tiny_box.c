@@ -29,13 +29,25 @@ static word check_row_over_box(const fmb_tiny *t, const fmb_tiny_table *rows, in
     return NOTHING;
 }
 
+/* The row, and the ends where a.x is least. */
+static uint64_t rows_of_clash(const fmb_tiny *t, const fmb_tiny_table *rows, int i)
+{
+    uint64_t all = rows->history[i];
+    for (int k = 1; k <= t->n; k++)
+        if (rows->a[i][k] != 0)
+            all |= t->end_history[rows->a[i][k] < 0][k];
+    return all;
+}
+
 fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first)
 {
     int left = first;
     for (int i = first; i < rows->rows; i++) {
         word said = check_row_over_box(t, rows, i);
-        if (said == NEVER)
+        if (said == NEVER) {
+            t->clash = rows_of_clash(t, rows, i);
             return FMB_TINY_CLASH;
+        }
         if (said == ALWAYS)
             continue;
         if (left < i)

@@ -34,25 +34,29 @@ static int compare_products_exactly(fmb_i128 x, fmb_i128 y, fmb_i128 z, fmb_i128
     return sign * (order != 0 ? order : fmb_u128_compare(low, low2));
 }
 
-fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict)
+fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict, uint64_t history)
 {
     int side = fmb_i128_sign(c), room = fmb_i128_sign(b);
-    if (side == 0)
+    if (side == 0) {
+        t->clash = history;
         return room < 0 || (room == 0 && strict) ? FMB_TINY_CLASH : FMB_TINY_GO;
+    }
     fmb_tiny_end *end = &t->last[side > 0];
     c = side < 0 ? fmb_i128_negative(c) : c;
     int order = end->known ? compare_products_exactly(b, end->c, end->b, c) : -1;
     if (order < 0 || (order == 0 && strict))
-        *end = (fmb_tiny_end){.b = b, .c = c, .strict = strict, .known = true};
+        *end = (fmb_tiny_end){.b = b, .c = c, .history = history, .strict = strict, .known = true};
     return FMB_TINY_GO;
 }
 
 /* -b0 / c0 <= x <= b1 / c1 */
-bool fmb_tiny_is_open(const fmb_tiny *t)
+fmb_tiny_step fmb_tiny_compare_ends(fmb_tiny *t)
 {
     const fmb_tiny_end *low = &t->last[0], *high = &t->last[1];
     if (!low->known || !high->known)
-        return true;
+        return FMB_TINY_GO;
     int order = compare_products_exactly(high->b, low->c, fmb_i128_negative(low->b), high->c);
-    return order > 0 || (order == 0 && !low->strict && !high->strict);
+    t->clash = low->history | high->history;
+    return order > 0 || (order == 0 && !low->strict && !high->strict) ? FMB_TINY_GO
+                                                                      : FMB_TINY_CLASH;
 }

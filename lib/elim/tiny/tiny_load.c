@@ -1,4 +1,4 @@
-/* tiny_load.c: rows of a system into a table on the stack.
+/* tiny_load.c: rows into a table on the stack.
  *
  * Of the rows with one variable only the tightest of each side stays. Its end, rounded outward to a
  * whole number, is an end of the box: the box may be larger than what the rows say, and what holds
@@ -22,35 +22,45 @@ typedef struct load_ends {
     int row[2][FMB_TINY_WORDS];
 } load_ends;
 
+/* a.x REL b: coefficients a[0..nnz), which are of variables var[k], and b = a[nnz]. */
+typedef struct load_row {
+    size_t nnz;
+    const int *var;
+    const int64_t *a;
+    int bits;
+    bool strict;
+    uint64_t history;
+} load_row;
+
 /* Is a x REL b tighter than row i on the same side of the same variable? */
-static bool is_tighter_end(const fmb_tiny_table *base, int i, int var, const fmb_sysrow *r)
+static bool is_tighter_end(const fmb_tiny_table *base, int i, const load_row *r)
 {
-    fmb_i128 mine = fmb_i128_product(r->val.s[1], (int64_t)fmb_abs64(base->a[i][var]));
-    fmb_i128 its = fmb_i128_product(base->a[i][0], (int64_t)fmb_abs64(r->val.s[0]));
+    fmb_i128 mine = fmb_i128_product(r->a[1], (int64_t)fmb_abs64(base->a[i][r->var[0] + 1]));
+    fmb_i128 its = fmb_i128_product(base->a[i][0], (int64_t)fmb_abs64(r->a[0]));
     int order = fmb_i128_compare(mine, its);
-    return order < 0 || (order == 0 && r->rel == FMB_LT && !base->strict[i]);
+    return order < 0 || (order == 0 && r->strict && !base->strict[i]);
 }
 
-static void put_base_row(fmb_tiny_table *base, int i, const fmb_sysrow *r)
+static void put_base_row(fmb_tiny_table *base, int i, const load_row *r)
 {
     int64_t *a = base->a[i];
     for (int k = 0; k < FMB_TINY_WORDS; k++)
         a[k] = 0;
     for (size_t k = 0; k < r->nnz; k++)
-        a[r->var[k] + 1] = r->val.s[k];
-    a[0] = r->val.s[r->nnz];
-    base->history[i] = 0; /* until it is known which rows stay */
-    base->bits[i] = (uint8_t)r->val.bits;
-    base->strict[i] = r->rel == FMB_LT;
+        a[r->var[k] + 1] = r->a[k];
+    a[0] = r->a[r->nnz];
+    base->history[i] = r->history;
+    base->bits[i] = (uint8_t)r->bits;
+    base->strict[i] = r->strict;
 }
 
 /* A row with one variable: as an end, unless there is a tighter one. */
-static void put_end_row(fmb_tiny_table *base, load_ends *e, const fmb_sysrow *r)
+static void put_end_row(fmb_tiny_table *base, load_ends *e, const load_row *r)
 {
-    int var = r->var[0] + 1, *end = &e->row[r->val.s[0] > 0][var];
+    int *end = &e->row[r->a[0] > 0][r->var[0] + 1];
     if (*end < 0)
         put_base_row(base, *end = base->rows++, r);
-    else if (is_tighter_end(base, *end, var, r))
+    else if (is_tighter_end(base, *end, r))
         put_base_row(base, *end, r);
 }
 
@@ -69,6 +79,7 @@ static void make_outward_box(fmb_tiny *t, const load_ends *e)
             int i = e->row[side][k];
             if (i >= 0) {
                 const int64_t *a = t->now->a[i];
+                t->end_history[side][k] = t->now->history[i];
                 t->end[side][k] = side ? -floor_divide(-a[0], a[k]) : floor_divide(-a[0], -a[k]);
             }
             bool open = i < 0 || fmb_bits64(fmb_abs64(t->end[side][k])) > FMB_TINY_END_BITS;
@@ -93,27 +104,61 @@ static bool suits_the_stack(const fmb_system *s)
     return good;
 }
 
+static void begin_base(fmb_tiny *t, load_ends *e)
+{
+    t->now->rows = 0;
+    for (int k = 0; k < FMB_TINY_WORDS; k++)
+        e->row[0][k] = e->row[1][k] = -1;
+}
+
+/* The row names a variable. */
+static void put_row(fmb_tiny *t, load_ends *e, const load_row *r)
+{
+    if (r->nnz == 1)
+        put_end_row(t->now, e, r);
+    else
+        put_base_row(t->now, t->now->rows++, r);
+}
+
+static fmb_tiny_step end_base(fmb_tiny *t, const load_ends *e)
+{
+    make_outward_box(t, e);
+    return fmb_tiny_prune(t, t->now, 0);
+}
+
 fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
 {
     load_ends e;
-    t->n = fmb_system_dim(s);
-    t->now->rows = 0;
     if (!suits_the_stack(s))
         return FMB_TINY_FULL;
-    for (int k = 0; k < FMB_TINY_WORDS; k++)
-        e.row[0][k] = e.row[1][k] = -1;
+    begin_base(t, &e);
     for (size_t i = 0; i < s->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(s, i);
-        if (r->nnz == 1)
-            put_end_row(t->now, &e, r);
-        else if (r->nnz > 1)
-            put_base_row(t->now, t->now->rows++, r);
+        const load_row row = {r->nnz,      r->var,           r->val.s,
+                              r->val.bits, r->rel == FMB_LT, (uint64_t)1 << i};
+        if (r->nnz > 0)
+            put_row(t, &e, &row);
         else if (r->val.s[0] < 0 || (r->val.s[0] == 0 && r->rel == FMB_LT))
             return FMB_TINY_CLASH;
     }
-    make_outward_box(t, &e);
-    fmb_tiny_step step = fmb_tiny_prune(t, t->now, 0);
-    for (int i = 0; i < t->now->rows; i++)
-        t->now->history[i] = (uint64_t)1 << i;
-    return step;
+    return end_base(t, &e);
+}
+
+fmb_tiny_step fmb_tiny_load_strict(fmb_tiny *t, size_t n, size_t m, const fmb_vec *row)
+{
+    load_ends e;
+    int var[FMB_TINY_WORDS];
+    int64_t a[FMB_TINY_WORDS];
+    begin_base(t, &e);
+    for (size_t i = 0; i < m; i++) {
+        load_row r = {0, var, a, row[i].bits, true, (uint64_t)1 << i};
+        for (size_t j = 0; j < n; j++)
+            if (row[i].s[j] != 0) {
+                var[r.nnz] = (int)j;
+                a[r.nnz++] = row[i].s[j];
+            }
+        a[r.nnz] = row[i].s[n];
+        put_row(t, &e, &r);
+    }
+    return end_base(t, &e);
 }

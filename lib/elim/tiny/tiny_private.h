@@ -31,17 +31,20 @@ typedef struct fmb_tiny_table {
  * one, -x <= b / c of the lower one. */
 typedef struct fmb_tiny_end {
     fmb_i128 b, c;
+    uint64_t history;
     bool strict, known;
 } fmb_tiny_end;
 
 typedef struct fmb_tiny {
-    int n;                          /* variables left */
-    int since;                      /* variables paired away */
-    uint64_t most_pairs;            /* looked at before giving up */
-    int64_t end[2][FMB_TINY_WORDS]; /* the box, rounded outward */
-    unsigned open[2];               /* bit k: variable k has no such end */
+    int n;                                   /* variables left */
+    int since;                               /* variables paired away */
+    uint64_t most_pairs;                     /* looked at before giving up */
+    int64_t end[2][FMB_TINY_WORDS];          /* the box, rounded outward, */
+    uint64_t end_history[2][FMB_TINY_WORDS]; /* and the base rows that say so */
+    unsigned open[2];                        /* bit k: variable k has no such end */
     fmb_tiny_table *now, *next;
     fmb_tiny_end last[2];
+    uint64_t clash; /* base rows that leave no point, once that is known */
     fmb_stats *stats;
     fmb_tiny_table table[2];
 } fmb_tiny;
@@ -63,6 +66,8 @@ static inline void fmb_tiny_copy(fmb_tiny_table *to, int i, const fmb_tiny_table
 
 /* tiny_load.c: the rows of s as the base; rows with one variable also as the box. */
 fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s);
+/* The same of m small rows over n columns, each of which is taken for a strict one. */
+fmb_tiny_step fmb_tiny_load_strict(fmb_tiny *t, size_t n, size_t m, const fmb_vec *row);
 
 /* tiny_row.c: the combination of rows p and q of t->now that cancels variable c, p's coefficient
  * being negative and q's positive, at the end of t->next, not counted yet; false if it does not
@@ -73,9 +78,9 @@ bool fmb_tiny_combine(fmb_tiny *t, int p, int q, int c);
  * that fails in all of it. */
 fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first);
 
-/* tiny_last.c: note c x <= b (< b). A constant row may be false. */
-fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict);
-/* Do the ends noted leave a value? */
-bool fmb_tiny_is_open(const fmb_tiny *t);
+/* tiny_last.c: note c x <= b (< b), of these base rows. A constant row may be false. */
+fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict, uint64_t history);
+/* Do the ends noted leave a value? Else they clash. */
+fmb_tiny_step fmb_tiny_compare_ends(fmb_tiny *t);
 
 #endif

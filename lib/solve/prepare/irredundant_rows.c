@@ -180,6 +180,8 @@ fmb_status fmb_irredundant_rows_append(fmb_query *q, const fmb_part *p, const in
 {
     remains h = {.q = q, .p = p, .place = place, .e = e, .out = out};
     bool inner = false;
+    if (e->live.size == 0)
+        return FMB_OK;
     fmb_status st = list_rows_left(&h);
     FMB_THEN(st, sort_rows_by_guess(&h, known, feasible, &inner));
     if (st == FMB_OK && *feasible && !(inner && are_all_fates_known(&h)))

@@ -20,19 +20,25 @@ typedef struct substitution {
     fmb_lp_row *row; /* [rows] the inequalities that still name variables, */
     size_t *number;  /* and which they are */
     size_t rows;
+    bool any_equality; /* of those given */
     fmb_sorting *out;
     bool *tight; /* [m] inequalities that turned out to be equalities; NULL: none is looked for */
 } substitution;
 
-static bool are_rows_small_with_equality(size_t m, const fmb_lp_row *row)
+static bool are_rows_small(size_t m, const fmb_lp_row *row)
 {
-    bool any = false;
-    for (size_t i = 0; i < m; i++) {
+    for (size_t i = 0; i < m; i++)
         if (fmb_vec_is_wide(row[i].v))
             return false;
-        any |= row[i].rel == FMB_EQ;
-    }
-    return any;
+    return true;
+}
+
+static bool has_equality(size_t m, const fmb_lp_row *row)
+{
+    size_t i = 0;
+    while (i < m && row[i].rel != FMB_EQ)
+        i++;
+    return i < m;
 }
 
 static fmb_status copy_rows_to_substitute(substitution *t, fmb_arena *arena, fmb_mem *mem)
@@ -43,6 +49,7 @@ static fmb_status copy_rows_to_substitute(substitution *t, fmb_arena *arena, fmb
     FMB_TRY(FMB_ARENA_GET(arena, t->number, t->m));
     FMB_TRY(FMB_ARENA_GET(arena, entry, t->m * (t->n + 1)));
     for (size_t i = 0; i < t->m; i++) {
+        t->number[i] = i;
         t->v[i] = (fmb_vec){.s = entry + i * (t->n + 1)};
         FMB_TRY(fmb_vec_copy(&t->v[i], t->from[i].v, t->n + 1, mem));
     }
@@ -146,7 +153,8 @@ static bool find_opposites(const substitution *t, size_t *first, size_t *second)
 static fmb_status substitute_opposites(substitution *t, fmb_num *num, bool *small)
 {
     size_t i, k;
-    while (*small && t->out->feasible && t->tight && find_opposites(t, &i, &k)) {
+    bool wanted = t->tight && t->any_equality;
+    while (*small && t->out->feasible && wanted && find_opposites(t, &i, &k)) {
         t->out->feasible = t->from[i].rel == FMB_LE && t->from[k].rel == FMB_LE;
         t->tight[i] = t->out->gone[k] = true;
         FMB_TRY(substitute_equality(t, i, find_pivot(t, i), num, small));
@@ -155,8 +163,30 @@ static fmb_status substitute_opposites(substitution *t, fmb_num *num, bool *smal
     return FMB_OK;
 }
 
+/* Inequality i is an equality. */
+static fmb_status substitute_tight_row(substitution *t, size_t i, fmb_num *num, bool *small)
+{
+    size_t pivot = find_pivot(t, i);
+    t->out->feasible &= t->from[i].rel == FMB_LE;
+    t->tight[i] = pivot < t->n;
+    if (pivot < t->n)
+        return substitute_equality(t, i, pivot, num, small);
+    t->out->gone[i] = true;
+    t->out->feasible &= t->v[i].s[t->n] == 0;
+    return FMB_OK;
+}
+
+/* Inequality number[k] is an equality, for each bit k of a set. */
+static fmb_status substitute_tight_rows(substitution *t, uint64_t set, fmb_num *num, bool *small)
+{
+    for (; *small && set != 0; set &= set - 1)
+        FMB_TRY(substitute_tight_row(t, t->number[__builtin_ctzll(set)], num, small));
+    return *small ? reduce_open_inequalities(t, num) : FMB_OK;
+}
+
 static void list_inequalities(substitution *t)
 {
+    t->rows = 0;
     for (size_t i = 0; i < t->m; i++) {
         if (is_settled(t, i))
             continue;
@@ -165,14 +195,17 @@ static void list_inequalities(substitution *t)
     }
 }
 
-static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *arena)
+/* *tight: of those that are listed; then that is all that was found out. */
+static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *arena,
+                                    uint64_t *tight)
 {
-    fmb_sorting some = {.known = t->out->known};
+    fmb_sorting some = {.known = t->out->known, .wants_tight = t->tight != NULL};
     FMB_TRY(FMB_ARENA_GET(arena, some.gone, t->rows));
     FMB_TRY(FMB_ARENA_GET(arena, some.kept, t->rows));
     memset(some.gone, 0, t->rows * sizeof *some.gone);
     memset(some.kept, 0, t->rows * sizeof *some.kept);
     FMB_TRY(fmb_lp_sort_rows(run, (int)t->n, t->rows, t->row, &some));
+    *tight = some.tight;
     for (size_t k = 0; k < t->rows; k++) {
         t->out->gone[t->number[k]] = some.gone[k];
         t->out->kept[t->number[k]] = some.kept[k];
@@ -182,12 +215,31 @@ static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *ar
     return FMB_OK;
 }
 
+/* What is given as equality, and what is found to be one at sight. */
 static fmb_status substitute(substitution *t, fmb_num *num, bool *small)
 {
     fmb_status st = substitute_all_equalities(t, num, small);
     if (st == FMB_OK && *small)
         st = reduce_open_inequalities(t, num);
     return st == FMB_OK && *small ? substitute_opposites(t, num, small) : st;
+}
+
+/* Each pass but the last finds rows that are equalities, and leaves fewer columns; out->tight is
+ * what one has found before. */
+static fmb_status substitute_and_sort(substitution *t, fmb_run *run, fmb_arena *arena, fmb_num *num,
+                                      bool *small)
+{
+    uint64_t tight = t->out->tight;
+    FMB_TRY(tight != 0 ? substitute_tight_rows(t, tight, num, small) : substitute(t, num, small));
+    do {
+        list_inequalities(t);
+        t->out->inner = t->out->feasible && t->rows == 0;
+        if (!*small || !t->out->feasible || t->rows == 0)
+            return FMB_OK;
+        FMB_TRY(sort_inequalities(t, run, arena, &tight));
+        FMB_TRY(substitute_tight_rows(t, tight, num, small));
+    } while (tight != 0);
+    return FMB_OK;
 }
 
 static void forget_substitution(substitution *t, fmb_mem *mem)
@@ -205,18 +257,20 @@ fmb_status fmb_substituted_rows_sort(fmb_run *run, fmb_arena *arena, fmb_num *nu
                                      size_t m, const fmb_lp_row *row, fmb_sorting *out, bool *tight)
 {
     substitution t = {.n = n, .m = m, .from = row, .out = out, .tight = tight};
-    bool small = are_rows_small_with_equality(m, row);
+    bool small = are_rows_small(m, row);
+    t.any_equality = has_equality(m, row);
     out->feasible = true;
-    if (small) {
-        FMB_TRY(copy_rows_to_substitute(&t, arena, run->mem));
-        fmb_status st = substitute(&t, num, &small);
-        if (st != FMB_OK || !small)
-            forget_substitution(&t, run->mem);
-        FMB_TRY(st);
+    out->tight = 0;
+    if (!small || !t.any_equality) {
+        out->wants_tight = small && tight;
+        FMB_TRY(fmb_lp_sort_rows(run, (int)n, m, row, out));
+        if (out->tight == 0)
+            return FMB_OK;
     }
-    if (!small)
-        return fmb_lp_sort_rows(run, (int)n, m, row, out);
-    list_inequalities(&t);
-    out->inner = out->feasible && t.rows == 0;
-    return out->feasible && t.rows > 0 ? sort_inequalities(&t, run, arena) : FMB_OK;
+    FMB_TRY(copy_rows_to_substitute(&t, arena, run->mem));
+    fmb_status st = substitute_and_sort(&t, run, arena, num, &small);
+    if (st != FMB_OK || !small)
+        forget_substitution(&t, run->mem);
+    out->wants_tight = false;
+    return st == FMB_OK && !small ? fmb_lp_sort_rows(run, (int)n, m, row, out) : st;
 }

@@ -12,9 +12,9 @@
 #include "num/vec.h"
 
 /* As fmb_lp_sort_rows, without pauses; equalities are told from those before them: gone or kept.
- * out->inner: of a point that satisfies equalities. tight[m], false: those inequalities that are
- * opposite to others then, and so equalities, are kept as such; NULL: they stay what they are. num
- * is for n + 1 entries. Errors: MEMORY, LIMIT. */
+ * out->inner: of a point that satisfies equalities. tight[m], false: inequalities that are found to
+ * be equalities are kept as such; NULL: they stay what they are. num is for n + 1 entries. Errors:
+ * MEMORY, LIMIT. */
 fmb_status fmb_substituted_rows_sort(fmb_run *run, fmb_arena *arena, fmb_num *num, size_t n,
                                      size_t m, const fmb_lp_row *row, fmb_sorting *out,
                                      bool *tight);

@@ -137,6 +137,74 @@ Test(tiny, all_of_two_variables)
     cr_assert_eq(systems, SUPPORT_TINY_COUNT);
 }
 
+/* ---- tight rows ------------------------------------------------------------------------------ */
+
+enum { NAMING = 16 };
+
+/* Rows of m over n columns, each of which names some, and has the same sign as others so often that
+ * no solution, or none strictly inside, is frequent. */
+static void draw_naming_rows(support_rng *g, size_t n, size_t m, int64_t words[][MOST + 1],
+                             fmb_vec *row)
+{
+    int bits = support_between(g, 1, 8);
+    for (size_t i = 0; i < m; i++) {
+        int only = support_chance(g, 40) ? support_between(g, 0, (int)n - 1) : -1;
+        for (size_t j = 0; j < n; j++)
+            words[i][j] = only < 0 && support_chance(g, 60) ? number(g, bits) : 0;
+        words[i][only < 0 ? support_between(g, 0, (int)n - 1) : only] =
+            support_chance(g, 50) ? 1 : -1;
+        words[i][n] = support_chance(g, 60) ? 0 : number(g, bits);
+        row[i] = (fmb_vec){.s = words[i]};
+        fmb_vec_measure(&row[i], n + 1);
+    }
+}
+
+/* By the simplex: those of a set of rows, all of them strict, or row `strict` alone. */
+static fmb_verdict decide_some(fmb_solver *v, size_t n, size_t m, const fmb_vec *row, uint64_t set,
+                               size_t strict)
+{
+    fmb_system *s = NULL;
+    fmb_result r = {.size = sizeof r};
+    cr_assert_eq(fmb_system_new((int)n, NULL, &s), FMB_OK);
+    for (size_t i = 0; i < m; i++) {
+        fmb_rel rel = strict == SIZE_MAX || strict == i ? FMB_LT : FMB_LE;
+        if (set >> i & 1)
+            cr_assert_eq(fmb_system_add_int(s, row[i].s, rel, row[i].s[n]), FMB_OK);
+    }
+    cr_assert_eq(fmb_solve(v, s, &r), FMB_OK);
+    fmb_system_free(s);
+    return r.verdict;
+}
+
+Test(tiny, rows_that_are_tight)
+{
+    fmb_solver *v = simplex();
+    int64_t words[NAMING][MOST + 1];
+    fmb_vec row[NAMING];
+    uint64_t runs = 6000 / WATCHED, seen[3] = {0};
+    for (uint64_t seed = 0; seed < runs; seed++) {
+        support_rng g = {seed};
+        size_t n = (size_t)support_between(&g, 1, 5), m = (size_t)support_between(&g, 1, NAMING);
+        uint64_t tight, all = ((uint64_t)1 << m) - 1;
+        draw_naming_rows(&g, n, m, words, row);
+        fmb_verdict said = fmb_tiny_find_tight(n, m, row, &tight);
+        seen[said]++;
+        if (said != FMB_UNKNOWN) {
+            cr_assert_eq(said, decide_some(v, n, m, row, all, SIZE_MAX), "seed %d", (int)seed);
+            cr_assert_eq(tight != 0, said == FMB_INFEASIBLE);
+            cr_assert_eq(tight & ~all, 0);
+        }
+        for (size_t i = 0; said == FMB_INFEASIBLE && i < m; i++)
+            if (tight >> i & 1)
+                cr_assert_eq(decide_some(v, n, m, row, tight, i), FMB_INFEASIBLE,
+                             "seed %d, row %zu", (int)seed, i);
+    }
+    fmb_solver_free(v);
+    cr_expect_gt(seen[FMB_FEASIBLE], runs / 5);
+    cr_expect_gt(seen[FMB_INFEASIBLE], runs / 5);
+    cr_expect_lt(seen[FMB_UNKNOWN], runs / 50);
+}
+
 /* ---- by hand --------------------------------------------------------------------------------- */
 
 static fmb_verdict decide(int dim, size_t rows, const int64_t *row, fmb_rel rel, fmb_stats *stats)

@@ -17,7 +17,7 @@ typedef struct drawn {
 } drawn;
 
 /* What was met; each is to be. */
-static int insides, outsides, empties, dependents, longs, tights;
+static int insides, outsides, empties, dependents, longs, tights, roomless;
 
 /* Rows that hold at a point, or, if `any`, perhaps at none; equalities may be sums of others, and
  * all rows multiples. */
@@ -128,6 +128,7 @@ Test(substituted_rows, are_sorted_as_the_oracle_does)
             equal |= d.row[i].rel == FMB_EQ;
             longs += d.v[i].bits > 40;
         }
+        roomless += trial % 3 != 0 && out.feasible && !out.inner;
         insides += equal && out.inner;
         outsides += equal && out.feasible && !out.inner;
         empties += equal && !out.feasible;
@@ -135,6 +136,8 @@ Test(substituted_rows, are_sorted_as_the_oracle_does)
     const int met[] = {insides, outsides, empties, dependents, longs, tights};
     for (size_t i = 0; i < sizeof met / sizeof *met; i++)
         cr_expect(met[i] > 20 / WATCHED, "%zu: %d", i, met[i]);
+    cr_expect_eq(roomless, 0,
+                 "where tight rows are looked for, there is a point inside the others");
     fmb_num_clear(&num);
     fmb_arena_clear(&arena);
     cr_expect_eq(mem.used, 0);

@@ -16,8 +16,10 @@
 
 #include "base/arrays.h"
 #include "base/ways.h"
+#include "elim/tiny/tiny.h"
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/active_set/active_set.h"
+#include "num/gcd.h"
 #include "trace/team.h"
 
 /* Rows shot at before the search: each shot looks at all rows. */
@@ -87,6 +89,7 @@ typedef struct fmb_paused_sorting {
     nonzero_columns reduced;
     fmb_scaled_rows rows;
     fmb_interior_point inside;
+    bool roomy; /* some point is strictly inside, wherever it is */
     fmb_active_set search[SEARCHES];
     size_t searches;
     size_t *open; /* [opens] rows that rays did not settle */
@@ -95,6 +98,38 @@ typedef struct fmb_paused_sorting {
     fmb_team team; /* of several searches */
     fmb_sorting *out;
 } sorting;
+
+/* ---- at sight -------------------------------------------------------------------------------- */
+
+/* The row that alone has this sign in the column, as a set; empty: none has it alone. */
+static uint64_t find_row_alone(const nonzero_columns *t, size_t j, bool positive)
+{
+    uint64_t found = 0;
+    for (size_t i = 0; i < t->m; i++)
+        if (positive ? t->v[i].s[j] > 0 : t->v[i].s[j] < 0)
+            found |= (uint64_t)1 << i;
+    return (found & (found - 1)) == 0 ? found : 0;
+}
+
+static bool has_each_row_a_sign_alone(const nonzero_columns *t)
+{
+    uint64_t found = 0;
+    for (size_t j = 0; j < t->n; j++)
+        found |= find_row_alone(t, j, true) | find_row_alone(t, j, false);
+    return found == UINT64_MAX >> (64 - t->m);
+}
+
+/* From a point inside, the way along a column ends at the one row that has this sign there: so each
+ * such row is irredundant. True: all is told. */
+static bool settle_at_sight(const nonzero_columns *t, fmb_sorting *out)
+{
+    if (!out->wants_tight || t->m == 0 || t->m > 64 || !has_each_row_a_sign_alone(t))
+        return false;
+    out->inner = fmb_tiny_find_tight(t->n, t->m, t->v, &out->tight) == FMB_FEASIBLE;
+    for (size_t i = 0; out->inner && i < t->m; i++)
+        out->kept[i] = true;
+    return out->inner || out->tight != 0;
+}
 
 /* ---- a point inside -------------------------------------------------------------------------- */
 
@@ -113,16 +148,23 @@ static fmb_status ask_oracle_if_feasible(sorting *s)
     return st;
 }
 
-/* Where there is no solution, the search goes on to its end: so unless one is known, a glance comes
- * first, and then the oracle, which is not asked about most systems that have one. */
+/* Where no point is strictly inside, the search for one goes on to its end: so a glance comes
+ * first, and then an elimination on the stack, which tells that of few rows. Unless a solution is
+ * known, the oracle is the last, which so is not asked about most systems that have one. */
 static fmb_status look_for_inner_point(sorting *s)
 {
     bool possible, known = s->out->known, *inner = &s->out->inner;
     FMB_TRY(
         fmb_interior_point_open(&s->inside, s->run, s->rows.n, s->rows.m, s->rows.row, &possible));
-    if (possible && !known)
+    if (possible && (!known || s->out->wants_tight))
         FMB_TRY(fmb_interior_point_find_quickly(&s->inside, inner));
-    if (!known && !*inner)
+    if (s->out->wants_tight && !*inner) {
+        s->roomy =
+            fmb_tiny_find_tight(s->rows.n, s->rows.m, s->reduced.v, &s->out->tight) == FMB_FEASIBLE;
+        if (s->out->tight != 0)
+            return FMB_OK;
+    }
+    if (!known && !*inner && !s->roomy)
         FMB_TRY(ask_oracle_if_feasible(s));
     if (possible && !*inner && s->out->feasible)
         FMB_TRY(fmb_interior_point_find(&s->inside, inner));
@@ -277,15 +319,17 @@ static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *
     s->run = run;
     s->out = out;
     fmb_status st = open_nonzero_columns(&s->reduced, run->mem, (size_t)n, m, row);
-    bool narrow = st == FMB_OK && s->reduced.n <= MOST_SORTED_COLUMNS;
-    out->doubtful = narrow ? 0 : m;
+    bool told = st == FMB_OK && settle_at_sight(&s->reduced, out);
+    bool narrow = st == FMB_OK && !told && s->reduced.n <= MOST_SORTED_COLUMNS;
+    out->doubtful = narrow || told ? 0 : m;
     if (narrow)
         st = scale_rows(s);
     if (st == FMB_OK && narrow)
         st = look_for_inner_point(s);
-    if (st == FMB_OK && narrow && out->feasible)
+    bool open = st == FMB_OK && narrow && out->feasible && out->tight == 0;
+    if (open)
         st = begin_searches(s);
-    if (st == FMB_OK && narrow && out->feasible)
+    if (open && st == FMB_OK)
         *opened = s;
     else
         close_sorting(s);
@@ -307,6 +351,7 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
     fmb_status st = FMB_OK;
     if (!s) {
         out->inner = false;
+        out->tight = 0;
         out->feasible = true;
         out->doubtful = m;
         if (!are_rows_small(m, row) || !fmb_way(FMB_WAY_ACTIVE_SET))
@@ -316,6 +361,7 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
     if (s) {
         s->out = out;
         st = go_on_with_searches(s, &paused);
+        out->inner |= s->roomy;
         out->paused = st == FMB_OK && paused ? s : NULL;
         if (!out->paused)
             close_sorting(s);

@@ -7,9 +7,12 @@
 
 /* What is found out about m rows. */
 typedef struct fmb_sorting {
-    bool *gone;  /* [m] in: false; out: inequalities that are implied by the rows not gone */
-    bool *kept;  /* [m] in: known to be irredundant; out: proved to be so, too */
-    bool known;  /* in: the rows are known to have a solution, or it does not matter */
+    bool *gone;       /* [m] in: false; out: inequalities that are implied by the rows not gone */
+    bool *kept;       /* [m] in: known to be irredundant; out: proved to be so, too */
+    bool wants_tight; /* in: rows that are always tight are told, where they are few */
+    uint64_t tight;   /* out: bit i: inequality i is, where there is a solution; then nothing else
+                         is told */
+    bool known;       /* in: the rows are known to have a solution, or it does not matter */
     bool pauses; /* in: may end before all rows are looked at, where a slice of the run is over */
     struct fmb_paused_sorting
         *paused;     /* in: NULL at first; out: it did so, and nothing is told yet */
