@@ -10,8 +10,10 @@
 
 enum { ROWS = 4 };
 
-/* The square 0 <= x, y with x <= right, y <= top, whose rows are sorted. */
-static fmb_stats sort_square(int64_t right, int64_t top, bool known, fmb_sorting *out)
+/* The square 0 <= x, y with x <= right, y <= top, whose rows are sorted; each column is multiplied
+ * by its unit. */
+static fmb_stats sort_square_in_units(int64_t right, int64_t top, const int64_t *unit, bool known,
+                                      fmb_sorting *out)
 {
     int64_t words[ROWS][3] = {{-1, 0, 0}, {1, 0, right}, {0, -1, 0}, {0, 1, top}};
     fmb_options o = {.size = sizeof o};
@@ -23,6 +25,8 @@ static fmb_stats sort_square(int64_t right, int64_t top, bool known, fmb_sorting
     fmb_mem_init(&mem, NULL, 0);
     fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
     for (size_t i = 0; i < ROWS; i++) {
+        for (size_t j = 0; j < 3; j++)
+            words[i][j] *= unit[j];
         v[i].s = words[i];
         fmb_vec_measure(&v[i], 3);
         row[i] = (fmb_lp_row){&v[i], FMB_LE};
@@ -31,6 +35,11 @@ static fmb_stats sort_square(int64_t right, int64_t top, bool known, fmb_sorting
     cr_assert_eq(fmb_lp_sort_rows(&run, 2, ROWS, row, out), FMB_OK);
     cr_expect_eq(mem.used, 0);
     return run.stats;
+}
+
+static fmb_stats sort_square(int64_t right, int64_t top, bool known, fmb_sorting *out)
+{
+    return sort_square_in_units(right, top, (const int64_t[]){1, 1, 1}, known, out);
 }
 
 Test(sorting, asks_the_oracle_only_in_doubt)
@@ -58,6 +67,19 @@ Test(sorting, asks_the_oracle_only_in_doubt)
             cr_expect(kept[k] == table[i].inner, "%zu: row %zu", i, k);
         }
     }
+}
+
+/* They would be too long for rays. */
+Test(sorting, powers_of_two_in_columns_do_not_count)
+{
+    const int64_t unit[] = {(int64_t)1 << 50, (int64_t)1 << 40, (int64_t)1 << 45};
+    bool gone[ROWS] = {0}, kept[ROWS] = {0};
+    fmb_sorting out = {.gone = gone, .kept = kept};
+    fmb_stats stats = sort_square_in_units(5, 7, unit, false, &out);
+    cr_expect(out.inner);
+    cr_expect_eq(stats.lps, 0);
+    for (size_t k = 0; k < ROWS; k++)
+        cr_expect(kept[k] && !gone[k], "row %zu", k);
 }
 
 /* The same square in two columns of so many that all of them together would be refused. */
