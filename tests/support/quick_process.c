@@ -13,6 +13,7 @@ int (*const fmb_no_git)(void) = git_libgit2_init; /* so that the linker keeps th
 
 #ifdef LEAKS_ARE_SOUGHT
 #include <link.h>
+#include <sanitizer/asan_interface.h>
 #include <sanitizer/lsan_interface.h>
 
 /* Criterion sees a leak only if the process is aborted: how a test ends that has passed does not
