@@ -6,12 +6,13 @@
 BENCH is bench-selection, whose lines are data (or those of the FILEs; the first one is written if
 none is there). Needs NumPy. What was not waited for took half as long again as it was waited for.
 
-What is fitted: a sum of trees of questions about features, for each of five logarithms: the time of
-the best engine, that of each engine over it, and time with bounded elimination first over time
-without. A tree asks the same questions in the same order of every problem, so that the answers are the number of a
+What is fitted: weights of features (ridge regression, Hoerl, Kennard 1970) and, to what these leave, a
+sum of trees of questions about features, for each of five logarithms: the time of the best engine,
+that of each engine over it, and time with bounded elimination first over time without. Weights hold
+beyond what was seen, where trees do not. A tree asks the same questions in the same order of every problem, so that the answers are the number of a
 leaf (Kohavi 1994). One after another is grown to what the sum so far leaves of the logarithms
 (gradient boosting of squares, Friedman 2001), on seven of ten problems at random. Families weigh the
-same, however many of their problems there are. The report puts together from the times of engines
+same if many of their problems are there. The report puts together from the times of engines
 what turns would take (lib/solve/portfolio/slices.c), beside the best method that does one thing: on
 families that a fit has not seen, and on families that it has under other seeds. --write puts the
 trees of all data into lib/solve/portfolio/selection.c of SOURCE.
@@ -33,7 +34,10 @@ LEAST = 1e-5  # [s] less is not told apart
 STEP = 1.5e-9  # [s] that a step of work takes (lib/trace/run.h)
 GROUPS = 11  # of families, one held out at a time
 SEEDS = 4  # one of so many held out at a time
-TREES, QUESTIONS, RATE = 32, 6, 0.25
+RIDGE = 300.0  # so many problems hold each weight at 0
+FINE = 128  # of a part: weights are whole numbers in selection.c
+TREES, QUESTIONS, RATE = 31, 6, 0.25
+FEW = 15.0  # a family of so many problems weighs half of what one of many does
 CALM = 24.0  # so many problems with residue 0 are added to each leaf
 MOST = 3.3  # logarithms of ratios above are taken for that
 SCALE = numpy.array([0.3, 1, 1, 1, 1])  # of the logarithms, where questions are chosen
@@ -111,9 +115,10 @@ class Data:
 
 
 def weigh(family):
-    """Problems, so that families weigh the same."""
+    """Problems, so that families of many weigh the same, and of few less."""
     _, place, count = numpy.unique(family, return_inverse=True, return_counts=True)
-    return len(family) / len(count) / count[place]
+    weight = 1 / (count[place] + FEW)
+    return weight * len(family) / weight.sum()
 
 
 def find_leaves(questions, mark):
@@ -143,6 +148,26 @@ def choose_question(bins, leaf, leaves, weighed, thresholds, asked):
     return best
 
 
+def weigh_features(mark, told, weight):
+    """What logarithms begin with, and weights of features [features][logarithms], in 1 / FINE parts
+    for each mark."""
+    x = mark / MARKS
+    mean = numpy.average(x, 0, weight)
+    spread = numpy.sqrt(numpy.average((x - mean) ** 2, 0, weight)) + 0.05
+    z = (x - mean) / spread
+    squares = (z * weight[:, None]).T @ z + RIDGE * numpy.eye(z.shape[1])
+    left = told - numpy.average(told, 0, weight)
+    slope = numpy.linalg.solve(squares, (z * weight[:, None]).T @ left) / spread[:, None]
+    start = numpy.average(told, 0, weight) - mean @ slope
+    return (numpy.rint(PARTS * FINE * MARKS * start).astype(int),
+            numpy.rint(PARTS * FINE * slope).astype(int))
+
+
+def by_weights(start, slope, mark):
+    """In PARTS, rounded towards 0 as in selection.c."""
+    return numpy.fix((start + mark @ slope) / (FINE * MARKS)).astype(int)
+
+
 def grow(mark, bins, left, weight, thresholds):
     """A tree: questions, and what its leaves add [leaves][logarithms], in PARTS."""
     left = left * weight[:, None]
@@ -156,24 +181,24 @@ def grow(mark, bins, left, weight, thresholds):
 
 
 def fit(mark, told, family):
-    """What logarithms begin with, in PARTS, and trees."""
+    """What logarithms begin with, weights, and trees."""
     draw, weight = numpy.random.default_rng(1), weigh(family)
     at = numpy.linspace(0, 1, QUANTILES + 1)[1:-1]
     thresholds = [numpy.unique(numpy.quantile(column, at).astype(int)) for column in mark.T]
     bins = numpy.stack([numpy.searchsorted(t, column) for t, column in zip(thresholds, mark.T)], 1)
-    start = numpy.rint(PARTS * numpy.average(told, 0, weight)).astype(int)
-    so_far, trees = numpy.tile(start, (len(mark), 1)), []
+    start, slope = weigh_features(mark, told, weight)
+    so_far, trees = by_weights(start, slope, mark), []
     for _ in range(TREES):
         some = draw.random(len(mark)) < SHARE
         left = told[some] - so_far[some] / PARTS
         trees.append(grow(mark[some], bins[some], left, weight[some], thresholds))
         so_far = so_far + trees[-1][1][find_leaves(trees[-1][0], mark)]
-    return start, trees
+    return start, slope, trees
 
 
 def foretell(fitted, mark):
-    start, trees = fitted
-    return (start + sum(value[find_leaves(questions, mark)] for questions, value in trees)) / PARTS
+    start, slope, trees = fitted
+    return (by_weights(start, slope, mark) + sum(value[find_leaves(questions, mark)] for questions, value in trees)) / PARTS
 
 
 # ---- what that costs ----------------------------------------------------------------------------
@@ -244,9 +269,13 @@ def text_of(tree):
 def write(path, head, fitted):
     with open(path, encoding="utf-8") as text:
         code = text.read()
-    start, trees = fitted
+    start, slope, trees = fitted
+    assert abs(slope).max() < 2**15  # a short
     table = "\n".join([BEGIN, head, "static const int START[FORETOLD_COUNT] = {"
-                       + ", ".join(map(str, start)) + "};", "static const tree TREE[] = {",
+                       + ", ".join(map(str, start)) + "};",
+                       "static const short WEIGHT[FMB_FEATURE_COUNT][FORETOLD_COUNT] = {",
+                       *(f"    {{{', '.join(map(str, row))}}}," for row in slope), "};",
+                       "static const tree TREE[] = {",
                        *map(text_of, trees), "};", END])
     code = code[:code.index(BEGIN)] + table + code[code.index(END) + len(END):]
     with open(path, "w", encoding="utf-8") as text:

@@ -25,31 +25,19 @@
 #include "solve/prepare/features.h"
 #include "study/program/program.h"
 #include "study/program/projection.h"
-#include "study/program/random.h"
 
 static const char USAGE[] =
     "usage: bench-selection [--seed N] [--each N] [--seconds S] [--arms auto|singles|engines]\n"
-    "                       [--families known|apart|unseen|all] [--more N]\n"
-    "                       [--dress plain|others|thin] [FILE...]\n"
-    "Projections of families, N seeds of each, where so many more variables stay than usual, or\n"
-    "others do, or coefficients are left out; and of files; 0 seconds: features alone.\n";
-
-/* What is done to problems of families, so that one family gives several kinds of them. */
-enum { PLAIN, OTHERS, THIN };
-static const struct {
-    const char *option, *name;
-} DRESS[] = {[PLAIN] = {"plain", ""},
-             [OTHERS] = {"others", ", others stay"},
-             [THIN] = {"thin", ", thinned"}};
-enum { DRESSES = sizeof DRESS / sizeof *DRESS };
+    "                       [--families known|apart|unseen|all] [--more N] [FILE...]\n"
+    "Projections of families, N seeds of each, where so many more variables stay than usual,\n"
+    "and of files; 0 seconds: features alone.\n";
 
 typedef struct setup {
     uint64_t first, each;
     double seconds;
     bool singles, choice; /* arms are methods of a user's, or only what the library chooses */
     int more;             /* variables stay than usual */
-    int dress;
-    int from, to; /* families */
+    int from, to;         /* families */
 } setup;
 
 /* What the library chooses, and then methods that do one thing. */
@@ -271,79 +259,50 @@ static void print_times(const setup *u, const arm_times *t)
     putchar('}');
 }
 
-/* What no way is chosen for is left out. Takes over s; keep[kept] stays. */
+/* What no way is chosen for is left out. Takes over s. */
 static void study_problem(const setup *u, const char *family, int digits, uint64_t seed,
-                          fmb_system *s, const int *keep, int kept)
+                          fmb_system *s, int kept)
 {
+    int *keep = malloc((size_t)kept * sizeof *keep + 1);
     heard h = {.any = false};
     arm_times t = {.bounded = false};
+    if (!keep)
+        fail("no memory");
+    for (int k = 0; k < kept; k++)
+        keep[k] = k;
     time_arms(u, s, keep, kept, &h, &t);
     if (h.any) {
-        printf("{\"family\": \"%s%s\", \"digits\": %d, \"seed\": %" PRIu64 ", \"limit\": %g, ",
-               family, DRESS[u->dress].name, digits, seed, u->seconds);
+        printf("{\"family\": \"%s\", \"digits\": %d, \"seed\": %" PRIu64 ", \"limit\": %g, ",
+               family, digits, seed, u->seconds);
         print_features(&h);
         if (u->seconds > 0)
             print_times(u, &t);
         puts("}");
         fflush(stdout);
     }
+    free(keep);
     free(answer);
     answer = NULL;
     fmb_system_free(s);
 }
 
-/* Variables of s that stay: the first ones, or any (selection sampling, Knuth 1969). */
-static int *list_kept(const fmb_system *s, int kept, bool any, uint64_t seed)
-{
-    study_random g = {seed};
-    int n = fmb_system_dim(s), *list = malloc((size_t)kept * sizeof *list + 1), size = 0;
-    if (!list)
-        fail("no memory");
-    for (int j = 0; size < kept && j < n; j++)
-        if (!any || study_random_between(&g, 1, n - j) <= kept - size)
-            list[size++] = j;
-    return list;
-}
-
 static const int DIGITS[] = {0, 9};
-
-/* Takes over s. */
-static fmb_system *dress_system(const setup *u, fmb_system *s, uint64_t seed, int digits)
-{
-    fmb_system *thin = s, *out = s;
-    if (u->dress == THIN && study_system_thin(s, 60, seed, &thin) != FMB_OK)
-        fail("no memory");
-    if (thin != s)
-        fmb_system_free(s);
-    out = thin;
-    if (digits > 0 && study_system_fractions(thin, digits, seed, &out) != FMB_OK)
-        fail("no memory");
-    if (out != thin)
-        fmb_system_free(thin);
-    return out;
-}
-
-/* So many stay that two go at least, where more or others stay than usual. */
-static int count_kept(const setup *u, const study_projection *drawn, uint64_t seed)
-{
-    int most = fmb_system_dim(drawn->s) - 2, keep = drawn->keep + u->more;
-    if (u->dress == OTHERS)
-        keep = 2 + (int)(seed % 5);
-    if ((u->more == 0 && u->dress != OTHERS) || drawn->keep > most)
-        return drawn->keep;
-    return keep <= most ? keep : most;
-}
 
 static void study_family(const setup *u, int family, uint64_t seed, int digits)
 {
     study_projection drawn;
-    if (study_projection_draw(family, seed, &drawn) != FMB_OK)
+    fmb_system *dressed = NULL;
+    if (study_projection_draw(family, seed, &drawn) != FMB_OK ||
+        (digits > 0 && study_system_fractions(drawn.s, digits, seed, &dressed) != FMB_OK))
         fail("no memory");
-    int kept = count_kept(u, &drawn, seed);
-    int *keep = list_kept(drawn.s, kept, u->dress == OTHERS, seed);
-    study_problem(u, study_projection_name(family), digits, seed,
-                  dress_system(u, drawn.s, seed, digits), keep, kept);
-    free(keep);
+    fmb_system *s = dressed ? dressed : drawn.s;
+    int most = fmb_system_dim(s) - 2, keep = drawn.keep + u->more;
+    if (dressed)
+        fmb_system_free(drawn.s);
+    study_problem(u, study_projection_name(family), digits, seed, s,
+                  u->more == 0 || keep <= most ? keep
+                  : drawn.keep <= most         ? most
+                                               : drawn.keep);
 }
 
 static void study_file(const setup *u, const char *path)
@@ -352,19 +311,9 @@ static void study_file(const setup *u, const char *path)
     const char *name = strrchr(path, '/');
     if (!problem_read(&p, path))
         fail(path);
-    int *keep = list_kept(p.system, p.keep, false, 0);
-    study_problem(u, name ? name + 1 : path, 0, 0, p.system, keep, p.keep);
-    free(keep);
+    study_problem(u, name ? name + 1 : path, 0, 0, p.system, p.keep);
     p.system = NULL;
     problem_clear(&p);
-}
-
-static bool find_dress(const char *option, int *out)
-{
-    for (*out = 0; *out < DRESSES; ++*out)
-        if (strcmp(option, DRESS[*out].option) == 0)
-            return true;
-    return false;
 }
 
 static bool take_option(setup *u, const char *option, const char *value)
@@ -379,8 +328,6 @@ static bool take_option(setup *u, const char *option, const char *value)
         return u->seconds = atof(value), true;
     if (strcmp(option, "--more") == 0)
         return u->more = atoi(value), true;
-    if (strcmp(option, "--dress") == 0)
-        return find_dress(value, &u->dress);
     if (strcmp(option, "--arms") == 0)
         return u->singles = strcmp(value, "singles") == 0, u->choice = strcmp(value, "auto") == 0,
                true;

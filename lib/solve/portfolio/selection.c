@@ -2,7 +2,6 @@
 #include "solve/portfolio/selection.h"
 
 #include <math.h>
-#include <string.h>
 
 #ifdef FMB_ABLATE
 const fmb_choice *fmb_selection_forced;
@@ -23,11 +22,12 @@ const fmb_choice *fmb_selection_forced;
 enum { FORETOLD(FORETOLD_IDENTIFIER) FORETOLD_COUNT };
 #undef FORETOLD_IDENTIFIER
 
-/* Features are rough logarithms, too, in so many parts of one. */
-enum { MARKS = 256, PARTS = 32 };
+/* Features are rough logarithms, too, in so many parts of one; a weight is in so many of a part. */
+enum { MARKS = 256, PARTS = 32, FINE = 128 };
 
-/* A tree asks whether marks are above thresholds. Its answers, the first one as the highest bit,
- * are the number of a leaf: a letter for each number that is told, NEUTRAL if it adds nothing. */
+/* Trees add to what weights of marks tell. A tree asks whether marks are above thresholds. Its
+ * answers, the first one as the highest bit, are the number of a leaf: a letter for each number
+ * that is told, NEUTRAL if it adds nothing. */
 enum { QUESTIONS = 6, LEAVES = 1 << QUESTIONS, NEUTRAL = 'm' };
 typedef struct tree {
     struct {
@@ -39,170 +39,189 @@ typedef struct tree {
 
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 8854 problems of 63 families, seeds 1 to 153203, ways as of commit f1cd36dd.
- * Time over that of the best method alone: 1.086 on families seen, 1.258 on others. */
-static const int START[FORETOLD_COUNT] = {7, 34, 40, 38, 0};
+/* 14968 problems of 91 families, seeds 1 to 183020, ways as of commit be4293cf.
+ * Time over that of the best method alone: 1.115 on families seen, 1.211 on others. */
+static const int START[FORETOLD_COUNT] = {-3400068, -472170, 834583, 713908, 47988};
+static const short WEIGHT[FMB_FEATURE_COUNT][FORETOLD_COUNT] = {
+    {7728, -2286, -2746, 3766, -82},
+    {1022, -1424, -256, 926, -127},
+    {-2703, 2562, -200, 548, 30},
+    {-2404, 1083, -208, 425, -15},
+    {-1387, -263, -1701, -304, 153},
+    {1694, 666, 683, 119, 272},
+    {-5263, -5819, -1280, 805, -827},
+    {-10027, 6173, -1877, 433, -918},
+    {-516, -2401, 2003, 131, 50},
+    {-1219, 4471, 6856, -12270, 5362},
+    {3063, -1424, -1411, -549, -33},
+    {-4761, -1877, 2550, -719, 422},
+    {688, -83, 1596, -302, 32},
+    {76, -512, 534, -103, -11},
+    {-3, 532, 415, -282, 36},
+    {815, -407, 1228, -1928, -128},
+    {2266, 108, 974, -739, -34},
+    {1402, -1300, 1701, -1073, 158},
+    {1041, 184, -83, -491, 77},
+    {-284, 1159, -1420, -5, -46},
+    {4636, -491, -445, 154, -144},
+    {355, 214, -274, 291, 258},
+};
 static const tree TREE[] = {
-    {{{12, 1184}, {14, 1352}, {7, 23}, {0, 512}, {3, 1088}, {11, 128}},
-     "egkqmdghsmgnkjniujinfhiqmjjjqmtinnmmnmnmfggpldhgomfqfkjhlklngmfxkffitningrmekisnpkilmngnrnmyo"
-     "fluqqimniiqmpgkpmxojmm}lqimnpfhmkplinlxkfmlopimrretmpgmmnswfrm}pjmmffznm`htomikyjmcfsqnqjkpml"
-     "lmnmlisonchtsn]jffmmmmmm`oijmllmlmlmlpmmmmmmkpjtmosirmwiuhmlouimusxemegxlm}inpmmmlmm}mrkmrhul"
-     "mlookmmmmmmmvqfmnookmplkmmmmmmmvthpmqllln"},
-    {{{12, 1264}, {6, 54}, {14, 1818}, {0, 512}, {7, 23}, {3, 1024}},
-     "mmmmmgwjimmmmmmiwhjjmmmmm{lnjmllmmmjphpmmmmmmnvohmmmmmmnwoinmmmmmtpmlmmmmmmwqhnmdglrmmnojnhgh"
-     "nmgmhllfihumhijnniiisnhmitmrkklmxpnimmpgjmlsmgnujmmmylnlmrnhqmsqipmmmmmmmsnjmmmmmmjsjlkmmmmmo"
-     "wvgmmmmmmoviolmmmmmktoinmmmmmmtmimmmmmmmmmmmmmmmmrqjmmdgvomglwkm^jiim^mkgmsliqmjiupnmmmmmlpjs"
-     "mvlsimzltgmmmmmmqsrgm}ipnm}irkmmmmmmunion"},
-    {{{5, 512}, {3, 1120}, {0, 384}, {14, 1352}, {3, 896}, {0, 640}},
-     "iiknnmmmmmgjjllmmmmmmjimmmmmmmhsngmmmmmmiijqmlinophkhrljnismnjionmmlpnqnhmmrqjrmmmmmmmmmmmiqj"
-     "jlmmmmmmmmmmmmmmmhvqhmmmmmmmmmmmmmmmmjlilmovgtmmmmmmmmmmmqtjimwuhtmeinommmmmmciqkmmmmmmkmkimm"
-     "mmmmmouimmmmmmgijrmlllomgioommokpmijiqmlmlnmwiplmnojpmmmmmmmmmmmbktknmmmmmmmmmmmmmmmkuvgmmmmm"
-     "mmmmmmmmmmmjiponinuonmmmmmmmmmmxksjm}lpkm"},
-    {{{12, 1368}, {3, 1296}, {14, 2008}, {11, 102}, {0, 576}, {8, 91}},
-     "ijknmmnllmkrhtmokoomjjkomhkknmjikqnpjnomqojmmvoohmtshtmnmmmmlpoimqpskmsklkmrlnmmllmlmhwljkmqk"
-     "pmmmmmmmomlmkjllmquirmznoimmllkmqslknlpkpmonmnmropkmrnllmwmllmmmmmmfkskmmlrlnmpmonnnlmmdjqpme"
-     "isrmmmmmmhkpqmzjqkmtnpkmsokommmmmminrlmfislmmmmmmjkqnmmrshmmunilmmmmm|plkmikommgjpomrvshmgiqr"
-     "mwonjmosmjmmmmmmuollmmmmmmgiqmmmmmmmrkpkm"},
-    {{{7, 23}, {3, 1248}, {14, 1264}, {12, 1040}, {0, 512}, {11, 114}},
-     "kkinmlkjompkoomlkjomjisnnfirpmmkonmhknqmmljomkjkpmjlkonnjmomqlqkmkktmmwjmomnkmnmmolnmlolmmmmm"
-     "mmmmmmmjlplmjlmmnmmmmmikmpmiqlklpmmlmflklnykpjmprqimgjsnmyqnkmortjmjkknliljnmjlkqmjkkomblijmk"
-     "klmnlnjqlfhlpomoikmknmjnmqjrmnjmlmfqlimonojmrqiqmmjmknkokllmmmmmlmkmmlokmmlnlmllomlmmnkomorjo"
-     "mmrlkmlmmmmlqjolunknmnrmjlmoolmqqjnmznlkm"},
-    {{{12, 1040}, {6, 74}, {0, 384}, {14, 1264}, {4, 336}, {10, 97}},
-     "mmmmmmmmmmlnlmmkqjlkmmmmmmmmmmnnmmmjqlkmmlmonikjpmlolonkojolmmlnmtiqmmmqjpmmpkkmmmmmmjllnmikk"
-     "mmkkkmlojlsnkllmmjqmimmlkimljlonjkknmijmnmkljpljklpmjjmonlpjomolilmmmmmmmmmmmlqkknmomllmmmmmm"
-     "mmmmpqoknjrokmmmmmmmmmmmmrmnnkjknmmmmmmmmmmmxtnjmnrllmmmmmmmmmmmejqmmmmnllapolmmmmmmjpqimmorl"
-     "mklmnmmmmmmhjqommllpllnlnmqlmlmsjommrlkmm"},
-    {{{5, 493}, {2, 768}, {14, 1818}, {0, 384}, {3, 992}, {7, 23}},
-     "mkkmmlkllmlkmmnkkjllmkkomlklomjkklnkkkomkomkmmokjmjppkmhqnkmomkommmjnmpmkmmlmjmmmmmmmmmmmmkrm"
-     "lmkqjkknmkpmjllonrpkjmmsjolmmmmmmmmmmlpplniqnknmlllmnmllmopmkmqplmmhjpomlllmmgkqlmelikmjkkpmk"
-     "llomkispmeljkmnmmlmlplkmlopkmgspkmrkklmkpknmwinlmomlmmfkmommmmmmksqjmgpjkmglkqmllmomnlommilmn"
-     "ntloommmmmmsonkmmpnlmulommmllmmtkolmtmonn"},
-    {{{5, 530}, {2, 768}, {11, 128}, {14, 1932}, {10, 90}, {8, 34}},
-     "jmkmmnknomllkolllkmmmqjpmnmnlmmlkomkpnlmjlmnnmkmonljmmnljllnnllmmkrpkmllnmmnkmkmipjpnspmmmmmm"
-     "mmksllkqqjrmuplnmmmmmmnpmknoqkqmmsmjnmmmmmljkomullkmuppjmmmmmmqkmkmhlnlmgiqomknmommlnnmrmmlmn"
-     "lqlmmmmmmpmmjmfkpnmkllommmmmmklkmmhnpjmllnlmmmmmmmmmmmgonlmqqrlmmmmmmrlmmmvmmnmtlolmmmmmmtmmk"
-     "mhlommeiormmmmmmmkmnmlnommjiqmmmmmmmrjqpm"},
-    {{{6, 54}, {10, 109}, {14, 1400}, {7, 59}, {11, 13}, {16, 0}},
-     "mmmmmkollmkskqlnxnfmmmmmmmmmmmmmmmmookpmmmmmmnplmnmpkpmsonkmmmmmmpmmnmmnmmmmmmmmmmmmmknkomonl"
-     "mllmkommmmmmlmlnlljlmlkilmnmmmmmkomllropjmknmlmmmmmmkokolkkllmmmkmmblikmoknmmlkromjknomlkmknn"
-     "qkqmkjmnmlllnnnmnkmpnmlmolpnmlmnkmmlmmmlsknmnkkmmlolmmmmmmmmmiomlokmljljnmmjmjnmmlmmlmkolllkn"
-     "mmmmmmnmkkmkpmlmklmlmmgkjmmnlmmnllnmnlmjm"},
-    {{{0, 384}, {12, 864}, {7, 12}, {14, 2049}, {2, 832}, {11, 64}},
-     "lmknmnkkpmmolnmmmmmmlnlmmmmmmmmnjmmmmmmmnkkkmmmllmmmmmmmmmmmnllmnmmmmmmmmmmmmmmmimokmikqlmjsq"
-     "kmjnmmmponlmmmplmrnlmmkmolmiljkmjnmlmjomllmnmlmfrqkmirpkmkoolmlonlmhkklmjklomdonlkplommnnlnmm"
-     "mmmmplkmmmmmmmllmmmmmlmmemjmnmlnomnlkommnjnmnnjpmsnknmolmnmmlmnmnppjmjknomximmmklplmqojmmkkpn"
-     "mkmlmmlllnmoqmllmpmlmonkmmnnllmrnjnnqorkm"},
-    {{{12, 1352}, {4, 457}, {1, 1104}, {0, 576}, {11, 114}, {14, 2111}},
-     "mmlnmpmlmmlmlmmoomkmmrkqmrokqmlllnmtmlmmpnnmmqllnmqjopmqlnomnjonmmmmmmslomoklnnmlmllmoommmkkm"
-     "knmqrkmlmknmlokqmmllnmslllmjqoklplmmnnkmlnlmmmmnmmmmommnmmmmmmmmmmmnlpmmukommflpnmjoolmooknmt"
-     "lllmmmmmmmmmmmdpolmnmlnmnklmmmmmmmlnmmmmmmmmgkoqmlkommhmnlmrlmmmhkpqmfkommlrlqmmmmmmllmmnmmmm"
-     "mmnmlmlomlmnlllmmmmmmvnlkmomllmqrpimmmmmm"},
-    {{{0, 384}, {12, 864}, {9, 0}, {14, 1700}, {7, 16}, {10, 78}},
-     "mllmmimlnmkmlmmmlmmmmmmmmsljqmmnlklnkklmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjmommpmqkmhni"
-     "kmkmlllknnkmqmpmnlpmkmjqplmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgjklnhllpmjnkpllnlolookqmj"
-     "mmllnokommllmmmmmnmrlnmmnlrlpnjnlnmmmmmmmmmmmmlmmlmlkmmmnnmqlkmmknknmlmlnmolmmmsknjmpmlnmomml"
-     "mmmmmmmlnmmmmmnnnkmlmmmmmmnmnlmknlomimmkm"},
-    {{{2, 1168}, {0, 640}, {11, 170}, {6, 70}, {8, 34}, {4, 362}},
-     "mmmmmhikjmmlmnmmplmmmmlommmmmmnklnmnmnlmmmmmmllmmmhjponnnljmjmommkmommnlnmniknnmmnmnmoolomsnk"
-     "omommommojplnrlqmlllnlmmnnmmmmmmqnlnmpkonnkipnnolplpmmmmmmlmnnnmmmmmmmmmmmmmmmmmmmjmnlmdpolmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmtnmkmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmosqhmmmmmmmmmmmmmmmmmmmmm"},
-    {{{2, 640}, {0, 384}, {14, 1464}, {1, 800}, {7, 23}, {3, 992}},
-     "mmmmmjllnmklnmnklllnlmlmmmmmmmnmlmlmkmmmllljmimommmmlkmlonlmolmqmmmmmmolllmmilmmmmmnmlknmmmlk"
-     "nmjlllnnmlolmmmmmmlnnlmjnmmkmilmmklmmlnllmmnllmmmnpmkmknmpllnlkjllmlmnlmnkokmmmmmmimjlmjllomm"
-     "pnlmmmmmmmnllljookmlqnlmmmmmmhpqmmnlmpmooolmmmmmmjpnlmnnlomqkqnmmnlnmilkkmknjomllmmmmmmnnmnmn"
-     "mplplmsknlmmnlnmpnnkmlllnmmmnlmnmlnmnnmmm"},
-    {{{5, 341}, {6, 38}, {14, 2241}, {4, 296}, {5, 493}, {8, 51}},
-     "mmmmmmmmmmmmmmmmmmmmmmmmmgokmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlnnmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmlimkmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "nrlommmmmqrpimmmmmmmmmmmmmmmmmmmmmmmmmmqklnmmmmmmmmmmmololnmmnmoclnmmglnommnlommnmlmlmmmmnlom"
-     "mmmmmmmmmmmbqjqmmmmmmrmlnmpnmmmtmlmmulmlm"},
-    {{{9, 0}, {13, 576}, {10, 69}, {8, 64}, {6, 70}, {16, 0}},
-     "hkkknolnpmlllmmmnknmmmlmmmpilmnmmmmrnlmmkjlkmpjnmmmkmmmnnmmmkpmmllmlmmnmlnmlnlmmmmmmmsnlnmilm"
-     "lmmmmmmmmmmmpqoimflppmjknmmkinmnmmlnmlmmnmomnkmrnmkmmklmmqlolmolllmmmmmmmlllmmmmmmolqlqmmmmmm"
-     "mmmmllqmmmmmmmnmlmmmmlnmnkmjlmmmlnqknlmlnloljjqnnllmkmmmmmmmmmmmmmmmmmmmllmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmlomllmlmlmllmnlmmmmlmmmmmnlmlmnlm"},
-    {{{0, 576}, {13, 800}, {7, 23}, {8, 51}, {16, 0}, {3, 1120}},
-     "mmlnmjkllnjnjompmlmmmloomopnkmnlklmnnllmlknmmmilkmmnmlmnllmnnmlnmmomlmlmmlmlmmmmllplmpmnmmmln"
-     "mmlnnmmnmpmmjmnomklmlnnlolmgnikmmlmnmmlmnmmlmmmolommnmmmmmmmmmnopkmnmllmiklknlnknmmmmmmmlnomo"
-     "lmmmolmmmlmmommlmnmlknmnlnmomnnlnmkompmljolmnlmmmoninmnllmmmmmmmpojnmmnnlmmmmmmmmmmmrmmkmlqoj"
-     "mllmmmlrlqlpnlnmpolomplnlmmmmmmnmmlmommkm"},
-    {{{9, 15}, {1, 832}, {3, 928}, {14, 1700}, {0, 384}, {12, 1636}},
-     "klmmmmmmmmlmknmmmmmmlmlkmmmmmmnmklmmmmmmmkmmmkmnlmmmmmmnkplmkopkmipnmmnmmlmqllmmllmmmmmmmmkml"
-     "olmmmmmskkpmmmmmmpmmommmmmmlnmlmmonmmmnlmmhmoqmnmmmngmnmmnmmmmilnlmmmmmmmmmmmmllkmmmmmmmmmmmm"
-     "mmmmnlmjmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnlmmmmmmmmmmmmmmmmmnlolnmmmmmmmmmmmmmmmmlmlmmmmm"
-     "mmmmmmmmmmmmkplmmmmmmmmmmmmmmmmmmlnmmmmmm"},
-    {{{14, 2163}, {12, 800}, {4, 296}, {5, 332}, {6, 38}, {14, 1700}},
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmklmmnmmmmmmmmmmmmmmmplmlmlklmmmmmmmmmmmmkmlnmnmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmhlonmflpnmjnjmkgnnlkmlmlmlklmmponkmomslommmnmknnlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlqlrmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmepkp"
-     "mmmmmmlmlnmmmmmmlmlmmmmmmmplommmmmmmrmmmm"},
-    {{{11, 231}, {5, 811}, {12, 1636}, {6, 93}, {1, 928}, {15, 0}},
-     "mmmmmmmmmmnnmmmommmmlllmmnmmlmklonmujlpmmmmmmmmmmmiknomiknmmkmommpllmmlmnomjmmnmmmmmmmmmmmmmm"
-     "mmmmmmmlnkmmknmmmhlmmmomjnmmmmmmmmmmmmmmmmmmmmmmqmlmmmmmmfqokmmmmmmkllmmkkommklpmmjloomjmpmmh"
-     "onlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmnmmmmmmmmmmmm"
+    {{{14, 2217}, {6, 54}, {14, 1352}, {19, 992}, {0, 384}, {5, 496}},
+     "mmmmmmmmmmknmmlmmmmmoqjllprhknnsimmonjlnmmmmmmmmmmjknlmmmmmmjqolmplmmmlqnkl}mphmtkmnmjkmpmmmn"
+     "nminlompjimmilnnmnnllmgjponlmklmmonomjnlmmkmjmmgsqlmjrpmmnpnjmpjokmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgkqonrlmnmmhkrnzjllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmplomiompmrkmpmhqqnnumlnmvmlnmxglnm"},
+    {{{14, 2397}, {6, 67}, {5, 345}, {14, 1248}, {5, 530}, {8, 99}},
+     "liommmlkmlmmmmmmmmmmjkmmmholmkmmmmmmmmmmntjnmnshkmikklniijnnpolnmnsojnnpqhmrhqmmsiplmsmkmlmmm"
+     "mmmmmmmmjnkmnnkmmmmmmmmmmmmnlmnmokknmglommhkosmknmmmlnolmommlmljnommmmmmmmmmmmmmmmmmmmmmmmmmf"
+     "flqnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmujipmtkmommmmmmolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmplmmmkljomtkkmm"},
+    {{{12, 1988}, {4, 563}, {0, 640}, {11, 118}, {7, 20}, {12, 1040}},
+     "jmkonrlolmmnmnljojkmlpjnmimmnmmlnlmnlmmmnmmmmprjnmgsopmntkpmxlpimgjqlmomoknhimlnigmmmilpnmmjn"
+     "lmlkmnmmmmmmdinslpklmmqkmlmmmmmmmmmmmjqlqljpkqmmmmmmmmmmmmmmmmvqjnmmmmmmgsgkmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmopiommmmmmonllmmmmmmjllommmmmmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{12, 2048}, {12, 1636}, {4, 384}, {11, 56}, {14, 2111}, {13, 800}},
-     "knlomlmknmknknmrkommmlmmmmmmlmpmlnmjnnmmmmmmmlmmmmomlnmpkmmmlmmmmmpnmmloommolnlmmmmmmjpokmmmm"
-     "mmmlmmmmmmmmmmmmmmmmmmmmmmmpkplmjknmmnnllmnlmomilnomklnpmmlnmmhlnmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjomlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmnnmmoomkmmolmmrmlmmmmmmmllmmmmmmmmmmmmm"},
-    {{{4, 554}, {3, 1320}, {8, 146}, {5, 416}, {16, 0}, {10, 28}},
-     "mmmmmmnmmmmnlnmmmmmmjmllmmmnnmommnmnnmlmmmmmmlollmlmmmmkmmlmmmmmmqopkmplmmmmmlmmmmmmmmmmmmlmm"
-     "nmmmmmmmmmmmsmmmmlqnkmmmmmmmmmmmmmnmmjmmmmnmplnmmmmmolnmmokmmmlkmmmmmmmmmjmlmlnknnllmmmommmmk"
-     "imnnjklommlomnmmmmmmnlnmlmmmmlmmmmmmmmmmmmmmllmnmmmmmmmmmmmmlmlmlnknmknlpmlmmmmmmmmmoomkmponl"
-     "mmmmmmmmmmminmmmkmmmlkmmnnmmmmmjlmnmmmmmm"},
-    {{{0, 384}, {13, 1842}, {11, 128}, {12, 1540}, {15, 0}, {16, 0}},
-     "lmnlmlmmmmnmmlmmmnlmkplmmnnnlmnlmmmionmmjmnlmlnkmmrmlomionmmmmmmmklnnmllmmmjkmmmmmmmmmmmmmmmm"
-     "mmmmmmmlommmlqnmmpnmmmlomnmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmmmmmmmmmmmmmmmmnmmmmmmmmmnmlnmjmmmml"
-     "lpmmolnlmpmlnmlkommlmmmmnkmmmolnkmjlnomklmnmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnmlmpmllmpklmmpljm"
+    {{{14, 2217}, {3, 1304}, {8, 187}, {19, 1056}, {11, 134}, {6, 85}},
+     "jplollmlmmminknmmnmmonokmllplmmojlnhkppmmmmmmsnhplnlmmmnmmmmoqnlmmpjnmksgkmklmnmkmmommmmmmmmm"
+     "mmmmmmmprlklnpjmmnollmhjmsmmmmmmmmmmmmmmmmmmmmmkopkmmmmmmmllmmkkmomknmomskmommmmmmkpmnlpmpnmw"
+     "klmmwlmmmlmmmmmmmmmlmlnmmmmmmmmmmmpoknmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoljpmsljmmuhllmfjlp"
+     "mmmmmmmmmmmmmmmmmmmmmjgmonmmmmmlmmmmhjmnm"},
+    {{{14, 2244}, {6, 54}, {15, 1056}, {0, 576}, {11, 118}, {15, 704}},
+     "lolmmmqmlloilmnmsgknksmrmrknmmklmlmrommmmmmmmikollmmmmmmlmmmmmmmmmmmmmmmmmmuprgmmlmmmrqpjmmmn"
+     "mmkllpmlrlpmnmolmmmnkmhhppmmmmmmepijmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnmnllonmmmmmullnlkomomm"
+     "mmnmmmmmmslllmmmmmmjglonmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmrkmnmsljomnoommfklpmmmlomommmmtkllmmiml"
+     "mmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{5, 792}, {6, 246}, {7, 16}, {13, 896}, {14, 1352}, {0, 512}},
+     "omlmmjlmnmmmnmmplmlmjkspmqmolmkkplmrkmlmpklmlmmnnmkonkmmmmomcmgknnskomonnlnsmklmjmmomkolnmjpi"
+     "lmlokmmjmpnmonlmmpollmsmjnmmmmmmmmmmmmmmmmmmmmmnmnmmnmmmmmmlmmmmmmmmmllmmmmmmhnjomfplomjmmomm"
+     "mmmmjrjlmkoklmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnjnmjnlnmlmmommmmmmnmlnmrmln"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{9, 0}, {14, 1024}, {0, 640}, {7, 46}, {3, 1168}, {11, 128}},
-     "llkmmnmlmliklmnmlmmmnmmnlllmlmmnmnmljmmmmmmmmnmmmmmmmmmljqnmmmmmmllmmmmmmmmikilmmmmmmlmmmmmnm"
-     "lmknmmmmnlnmklnlmllllmomlnnookomonkomsmknmmmnlmkomnmnkmmmnomomqoknmlmplmomnlnmmmmmmmmmmmlnkno"
-     "mnmnmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmnlnlnmmmmmmmmmmllpnmmlnlmmmllmmlmmmkkmimmmmlmlllkmmmmm"
-     "mmmmmmnlmmmololmsmlkmmmmmmlmkolkolommmmmm"},
-    {{{11, 231}, {4, 402}, {3, 1072}, {0, 576}, {11, 114}, {14, 1932}},
-     "lllmmlmmnmnmmmmrllmmmrlomommnmnmlmmrkpjmmpnlmomkmmlrjlmpnnmmmnmlmmmmmmpmmnmplmmmnmmmmlmmlmllm"
-     "lnkoommlnmolommnmlmmlmknmlmmmmlmnmmmmllmmmilnmmpmlmmknlomklmnmmllmmmmmmmmmmmmjlnmmjmommmmmmmm"
-     "mmmmlmmmmlmnmmmmmmmmmmmmlmmmmllnommmmmmmmmmmlkpnmlmmmmmmmmmmmmmmlmmlmknmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmnlmmmmmmmmmmmmmmmmmmnonlmmmmmm"},
-    {{{5, 341}, {6, 93}, {1, 1104}, {15, 0}, {16, 0}, {11, 39}},
-     "lknlmmmlmllmlnmlkmmmljmkmkllnmknlnnomlmmmmmmmmmmmmimlmklmmmmmmmmmmmmmmmlmmnmmmmmmmnmnomlmmmmm"
-     "mmomlmmmlmmmnlmmmmmmmmolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjlmknlomnlnommmlnlmmomloml"
-     "onmmplmmmlmnlmmmmmmpmlmmpmpmnnmmmmmmmmmkmommrklnmlmnmmjmmlnllnmmmmmmmlmlnmnlmlmollmmnmlmmmmnl"
-     "mmmmmmhlpnmhmmmmmmmllmmmmmslmpmnlkommmmmm"},
-    {{{9, 0}, {0, 640}, {11, 179}, {4, 573}, {3, 1320}, {14, 2332}},
-     "mmmmmnnknmlnnmmnllnmlkmmmmmmmmnnllmkmmmmkmmmmpnlmmllmmmlmmmmmlmmmmmmmmmonjmlnolmmplpmolmlmmlm"
-     "nmlmmmmmmmmmmmmmmmmmmmmmmmmmjpmnmmmmmnmnmmmmmmmmmmmmmmmmmnnlomqkllmlknkmmmmmmmmmmmmmmmmlkmkmm"
-     "mmmmmmmmmmmmmmnmolommmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmolmmmmmmmmqmllmmmmmmlnmommmmmmkmmnmmmmm"
-     "mmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{0, 384}, {10, 179}, {14, 1400}, {4, 457}, {10, 11}, {7, 46}},
-     "olnlmmmmmmnmmlmkmnmmmlllmmmmmmnmnmmmlmmnmmmlmmmmmmlnmmmmmnmmjonmmmmmmmjnommlnmlmmmmmmmmmmmlnl"
-     "ommmmmmmmmmmmmmmmnlmmmommmmmmmmmmmmmmknjmmlmmmmmmmmmmmmmmlmmmmnllmlplonmklimlmmmnmnnmmljmllmm"
-     "mmnmqmmlmmmmmmmmmmmknmnmmlmmmolmmmmlknmlmmnmnmnlmlnlmmmmmmmmmmmmmnmnmlkmnnmmmmmmmmmmmmmmmnlnl"
-     "nmmmmmmmmmmmmmlmjkponmmmmmmmmmmmmmmmjnnmm"},
-    {{{5, 416}, {3, 864}, {14, 1700}, {0, 512}, {1, 992}, {7, 51}},
-     "nmllmnmnmnpmmnlnmmmmmmmmmlmmmmnmmmnomnmommmmmnlmkmmmmmmommmmmmmmmmmmmmmmmmmnmmmlllknmmmmmmmmk"
-     "mlmlmmllpkommlmmmlnknlmmmolkommmmmmmmjmnmmmmlmmlnlomknlmmpmlnmlnlnmkmmmmlmnmmjmmnmmmmmmimmnlk"
-     "mlnlolnlnmlmmlmljkmmmmmlrmlommmmmmgolommmmmmmmmmmmmmmmnmnmmnlmlnlomlmmlmmnomlmmmmmnmmmnmmklkn"
-     "mlmmlmkomlmommomnllmmqlommnlmlmlmmmmlkmmm"},
-    {{{4, 554}, {3, 1168}, {1, 1120}, {5, 416}, {14, 1136}, {11, 114}},
-     "nmmmlnlmlmmnlnmlmmlnmmnnmmmmmlnmmmmmmmmmmmmmmnmmmlmmmmmnmlmmmmmmmmlmmnlklomolnommmmmmmlnlnlnl"
-     "mmkknkmlmmnmknimmsomlmlomnmmmmmmmmmmmnmolmmlmmmmmmmmmllmmqnmlmmmmmmllnlnklmnnlllmmommlmmmlnml"
-     "mlomilmnmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkmkmlkmmmkmlnmpmlnmjlmlnmpnkmnmmmmmlmn"
-     "mmmmmmmmmmmmlmmmmmmmmmlnnnmmmmmllmmmmmmmm"},
-    {{{9, 0}, {14, 832}, {12, 1040}, {8, 64}, {4, 336}, {15, 0}},
-     "nmlmkmmmmmnmmmmmmmmmmmmmmmmmmmommmlmmmmmmmmmmmmmmmjkjnmmmmmmmmmmmmmmmmllmnmmmmmmhmmnmlnmmmlln"
-     "mmmmmmmkmlmnplonmlnlmmnmlmmhnlmmlmmmmmmnmmnlmmmomllmqmnlmnmmmmnmnmmnmolommmmmmmnkmmmmmmmmmmmm"
-     "mmmmlmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnlmmmmmnlmknlnmmmnmmlmmmlmmmlpmmlmml"
-     "mmmlmmmmmmmmmlmmkmmmmmmmmmmmmmmmlmmmlmmmm"},
-    {{{5, 811}, {13, 1056}, {7, 23}, {11, 0}, {15, 0}, {1, 960}},
-     "mmlmmlmnmmnllmmomknmmmmlmlmmmmnmnkmrmlomommmnolmmlkommmollnmmmmmmmmmmmmmmmmllmmmmmnmmmmmmmolm"
-     "nmmmmmmmmmomlnnmmimnlmjmmmmioilmmmmmmmmnmmmmmmmmklmmmolommmnmnmnmnmjnlnmmmlmmeplomhokomnmllmm"
-     "mmmmnmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnlmmhmmmmplnmmplllmkmnnmmmmmmlnmmmmmmm"
+    {{{0, 384}, {14, 1882}, {7, 20}, {19, 896}, {1, 832}, {8, 0}},
+     "klmnmqoknmmmmmmqolrnknpmmlknnnhokmmommmnnmnlnrllnmmmmmmqlnlmcndkmojknmmmnnmnnjllknikmimllmmmm"
+     "mmkmkomnqmnmiqommpnlnmnmnomkpmjmlnklmmmmmmnkmmmlnmmmgrrmmmmmmmioonnkolnmknkmmjmmnmennnnmmpmmm"
+     "kqnmekmknnmnlmmnnnmmlmmmjpommnmnlm]nfgmoklmnlmnknmoknllojmmimklmgokpmkmkmmsklmmojnkmmmkqmpjml"
+     "miqmlnjmllmjonomlkmmmlmnnmomlmmmmmmmlmmmm"},
+    {{{19, 704}, {15, 256}, {14, 1760}, {0, 384}, {19, 1040}, {1, 928}},
+     "tmomnrookmmmmmmmmmmmolpknpmojmmmmmmmmmmmokmkmolnmmmmmmmmmmmmkmnmmnjokmmmmmmmmmmmnmlmmlonpmmmm"
+     "mmmmmmmkmnnnnmnmmmmmmmmmmmmmmlmmunkrmmmmmmmmmmmmlmnmmmmmmmmmmmmmmmmqlnpmnmmlmjmonmmmmmmlnmomk"
+     "pmnlklpnnmmmmmpljkmmmmmminmnmmmmmmknjlmkpknmrkgmmmmmmmlklnmmknnmlmlmmnpkllkmlnmkmnnmnlolmmnll"
+     "mkomlmrkjnmjqpnmlnmnnmlmlmllnmnrknlmklmmm"},
+    {{{1, 1353}, {4, 402}, {19, 1136}, {0, 576}, {11, 118}, {20, 0}},
+     "klmnnmmkommnknlomnmmltlommnmomlnllmokpjmlqklmollmmnshkmpnnlmnmnmmnmmmmnnmnmqmmlmmlmmmmmmlmpkn"
+     "lnhmokmnqlnmjplqmplmmmnjmjmonnlmmnlnmkmlomijlomolmmmlnkpmhjoomommmmmmnmmnmmnmjlqpmvlormmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnllmmmmmmmylnjmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mkkqlmmgmnmmjkmmmmmmmmmmmmmmmmmkmlnmmmmmm"},
+    {{{14, 2305}, {1, 960}, {5, 530}, {11, 46}, {21, 0}, {10, 102}},
+     "olmnmmiplnmmmmmknmpmmmlnmmnmmmlnmlmmkmlnhmlkmrnmnmnmmmmmmjlmnlpnmrnkmmhnmmllllomfimjnogqjnpnm"
+     "lmkmmnlonmnmkskmlopmknlnlkmommmmmmmmmnnnkmlkonneiqqmrkpnmjlommokmmmqlnlmlnqlmolnlmmmnnmmmmmmm"
+     "mmmmrkpllmmmnmmmmmmmmmmmmnlompmlmmmmmmmmmmmmomlnmmmmmminmpmmmmmmnmkmmjklomuliomommmmtllmmmnkp"
+     "mmmmmmmmmmmskjmmmlllmijlnmmmmmmgilommmmmm"},
+    {{{5, 323}, {19, 992}, {18, 1388}, {0, 512}, {7, 16}, {13, 800}},
+     "pmlnmmmmmmqknkmmmmmmmmmmmmmmmmmjnjlllnmmmmmmmmmmmmmjmlmmmmmmmmmmmmmmmmklnmmmmmmmikmllmmmmmkmj"
+     "mkmmmmmmmmmmmmmmmkmkokmmmmmlimnmmmmmmhmlmnmmmmmmmmmmmmmmmimkpmmmmmmmmmonlmqmmnlllmklmmnhonnmn"
+     "pilmmmnnmmoknminimmmmnmmkpllmmmlkmhoknmqknlmkmmpmnnkomomnkmknonmlnmlmhoilmnlmlmpmnkmmlmmnqplm"
+     "mplmmmnllnmknplmnnnmmpljpmsklnmolkqmtllmm"},
+    {{{12, 1988}, {4, 554}, {0, 640}, {19, 1088}, {14, 1416}, {1, 928}},
+     "mmmnmmmmmllmmmmmlmnmukpknmnkmmonplmonnlmkonnmkpmlmkonmmlmnlmnnmnmglonnnmnmmwjmjmnjmommjplnnll"
+     "mmnjkkmlkmnmlmlnllmnmmjlmnmnomnmmnmnllmmomjpkqmnplomoolomslkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmipjlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkmmnmmmmmmooinmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{1, 1353}, {6, 81}, {4, 362}, {20, 0}, {5, 512}, {11, 46}},
+     "lnnmmlmkommmmmmmjnomlmmlmpjnkmmmmmmmjqpmnmmmmnokllupqkmlmmlmlmmnmkommmvkllmpmnmmjmnnmnnmkmknk"
+     "mmkmknmknmnmpllomomlnmpmmklmknmmommmmkmnlmlloomlmmnmlnllmpllmmklnmmmmmmmmmmmmmmmmmulnkmmmmmmm"
+     "mmmmmmmmmmmmmmllplnmmmmmmmmmmlklmmohlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmilqommmmmmmmmmmmmmmmvlor"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{19, 768}, {14, 1200}, {5, 388}, {11, 118}, {0, 512}, {8, 109}},
+     "qmnllnmmmmnknllmmmmmqonlnnmmlmpmnknmmmmmmmolmmmmmmjmpmnmmmmmonmmmmnlmmonnjmmmmmmplmlmpmlnmmnn"
+     "nlmmmmmpknlonmmlmnknlnmmmmmmommmmmmmmjooommmmmmonnpmmmmmmkknlmmmmmmmklmlmljmlmmmmmmmmlmllmmnn"
+     "kmmnljnlmlkmmnkmnnmmlmmmknlomlmmolnnlnmnnkmmmolmmimlomlmllmknmmmiqlqmnmlomlkpknllolnlkmkmnmkm"
+     "mmmmlmlnolmnmlnmulnkmlonnmjlkomplmkmlkmnm"},
+    {{{7, 146}, {11, 170}, {19, 928}, {5, 496}, {11, 46}, {21, 0}},
+     "nmlnmknmomnmlmlmmllmlmknmknlmmnmlomlmjllnkomnmmmnmlplmmknlmmkmmlmomnmmnmonmolmmmmmmmmmmmmmojm"
+     "lmnlpkommmmmmmmmmmmmomkmnmmmmmmmmmmmmplnlmpmmnmmmmmmmmmmmnmkomklmmmmhpinknoomlnoolmlnmmmnlnml"
+     "mnlmmmmmmmmmmmmlmmmlmmnmmmmmmkmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknlmmmpmpmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{13, 1824}, {0, 384}, {12, 1040}, {15, 384}, {14, 1760}, {7, 3}},
+     "nnmnmpmnmmonkmmolllmmljnmoljmlkninmkpnmnknonnpmmomkmnlmommlmmmommlmjmmmnmmmjpqnmjnnlmmmnlmjon"
+     "lmkmmmmimlnmlmlnmkmllmlmmmmhomommnmnmmmklmmlkmmomonmmmllmnknmmplnlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmkommmlmmnnhpmnminmnmkqknmmmmmmnpjomonmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mplllmmlmmmolimmqlmmmnmmmmmmmmmonjmmmmmmm"},
+    {{{12, 1540}, {11, 98}, {7, 46}, {18, 624}, {12, 832}, {21, 0}},
+     "gknmmknlnlmmmkmollmmjnmomjlkonnmolmnlmmmnlolmomnmmlllmmmmlnmnkmmnlomommnkmmmolmmommmlookllnol"
+     "kmmnmmmlnoommmmmmomnnmlomklmonnlommmnomlmmlllnnnmlmmmkoknqkllmnknkmmmmmmmmmmmdohlmommlmmmmmmm"
+     "mmmmonmnmlnlmmmmmmmmmmmmkoinnnmmmmmmmmmmmmmmrijlmnlmlnmmmmmmmmmmglmrmiklqmmmmmmmmmmmgjlmmejmn"
+     "lmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{5, 792}, {6, 246}, {12, 1540}, {18, 568}, {13, 896}, {7, 20}},
+     "ommmmmmmmmmnqlmoolnmmlmmmmmmmmmmolmnmllmfkmpminjnmklmrmnmlmnnlllmjlnlmklnnmmmklmlmmnmmmmmmlnl"
+     "mmmmmmmlpkmmmmmmmomommmmmmmmmmmmmmmmmjllmnmmmmmmmmmmmmmmmonkmmmmmmmmmklmmmmmmlmmmmmmmmmfpjomm"
+     "mmmmmoklmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkollmmmmmmmmmmmmmmmmmmmnmmmmmmhoinmmmmmmplmmmmmmm"
+     "mmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmkomlmmmmmm"},
+    {{{18, 1366}, {1, 928}, {10, 170}, {11, 118}, {5, 530}, {2, 768}},
+     "mlmmmomolnkmnmmoollmnlmmmolmmmlnlnmnllmmmqmnlhrnmmmmmmmmmmmmmlnmmmkmnmmmmmmnmmmmllnmmmnnlmhmq"
+     "nnnmnlmnnmlmlpkmmkmnnmmlnnmnlnmlkolommmmmmnlmmmmlokpljomommmmmljonnlmmmmmmnmmomlmmpmlmmknmmlp"
+     "nmmmhpmlllmmnmmmmommnllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnllnmmmlnmlllnmrljnmqnlpmtlkmmmmmmmgklo"
+     "mmlmmmmoinmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{14, 2305}, {0, 640}, {4, 554}, {0, 384}, {19, 1072}, {1, 864}},
+     "mmmmmnmmnmkolmmnommmmmmmmlmmnmpknlmmnmlmmmnnmolmmmkonnmllnnmmllmmljnkmnlmmmkmmmlmmmmmmmmmmmmm"
+     "mmmmmmmkpmnmknmmmlpmompmmlmmmmmmmmmmmmmmmmmmmmmmmmnmlomommplomommomnmlmmolnlmmlmmmpmlmmnmmmmi"
+     "ojnmmmnmmskknmmmmmmmmmmmmmmmmkkommmmmmmmmmmmonnmmkllnmmmmmmmmmmmmmmmmmmmmmmlmlmmlmkmmmmmmmkmk"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpllmmmmmmm"},
+    {{{1, 1353}, {16, 1560}, {15, 704}, {12, 832}, {0, 512}, {14, 1840}},
+     "nmmmmmnlmmlmnnmkmnnmllmmmlnmlmnnlmmnlmmmlokollnkomkjmnmllopmoonlmlnnmmmommnnllnmmmmmmmmmmmmmm"
+     "mmmmmmmopkmmmninlnmmmmmmmmmlmlllmmmmmmmmmmmmmmmmljmkjkmmmlmkmkkllnmmmmmmmmmmmmmmmmmmmmmjlonmt"
+     "lnqmmmmmmmmmmmmmmmmmmmmmtmnjmmmmmmnknmmmmnmnlllnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmjnlmmmmmmmmmmmmmmmmllomnmmmmmnmnmm"},
+    {{{18, 1539}, {12, 1184}, {11, 236}, {21, 0}, {4, 457}, {11, 46}},
+     "kmnnmmmmmmlkmlmmnmmmlmlmmmnlmmnmmmmmmmlmmmmmmlnknmmmmmmomlnmmmmmmkknmmmmmmmkksmolkqmmklnnmmmm"
+     "mmmolnmnmmlmmjnnmlmnlmmkmmmmmmmmmnlmmmmmmmtmkmmmmmmmkmnnmmmmmmgoollkolnmmmmmmlnmnmmmmmmkoknmm"
+     "mmmmmnlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmokolmmmmmmplnmmmmmmmqknnmmmmmmolkommmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmkommmmmmmmmmmmm"},
+    {{{19, 768}, {3, 960}, {14, 1620}, {1, 832}, {0, 576}, {5, 496}},
+     "onmmmlnmmmmlkmlmmmmmonomlknonmnmnlmkmnlmnlmkmkomlmlmmmmmmmmmolmmmsmmpmlmmmmmmmlmnlnlmmmmmmlnn"
+     "mmmmmmmokpkmmmmmmlknlmlmnlmmmmmmmmmmmjonommmmmmolnmmmmmmmmmmmmnmmlmlmlnmnmmommmmmmksjomkmnmmk"
+     "llomkmmnnimlklmlklmlmllmmlolmpmmlmklkmmimnnnkmmnlknllmnklnmlmmlmmqmomopjmmmmmmmommmmnnmnmkmnm"
+     "mlnnmmmmmmmmnlomonklmlmmmmnlmmmmmmmmolnkm"},
+    {{{11, 192}, {7, 34}, {4, 576}, {8, 99}, {21, 0}, {0, 512}},
+     "kmmmmhmmmmmmnmmmnlmmnmommnmnmmmmlmmqlmlmonnnmnmmmmlmlnmlkoomknlonmmmmmlmnmmnnmmmommmmmnlnmmnm"
+     "mmnmmnmlolmmlmnmnlmmmmlnknmpjnmnoimkmllolnlmlomklkmmllkmmkmklmkmkolooknmmmmmmlnmmmloolmpmpmmm"
+     "mmmmmlmmmlmlmmmmmmmmmmmmmmmmmmmmmmomnmmmmmmmmmmmmmmmmmommnmnjmlmkmsmplkolnplmnmmmmmmmllmmmknn"
+     "mnmmmmqmlnmmmmmmomnmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{19, 640}, {7, 20}, {5, 682}, {14, 2099}, {11, 134}, {0, 512}},
+     "pomllmmmmmnnmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlnlmnmnmlomn"
+     "moomnlommmmmlmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnmmmmnlmmmmnmknmmmnllmmm"
+     "mlmmkklmmpkllmlnnmmonklmmmmmmsnnkmplmmmommnmmnmmmlnmmmmmlmmmnmnmmlmmmmlmlmlnnmmmllomkqomlsmkm"
+     "mbofkmkmlmmmmmmmmmmmmmnmmmmmmmmmmmmmlmmmm"},
+    {{{0, 704}, {10, 42}, {18, 624}, {19, 1340}, {11, 56}, {4, 457}},
+     "llmmmimjkmnmlmmknmqmjmnmmjlkmnmmmmmlmkomomnmmlmnmmlnmmmjkmmmkmjmmnolnmmmmmmkkkpmlnnnmnlommmml"
+     "mmnlmmmmmmmmlllmlillompmlkmjllmmnmmmmmmmmmlnmmmmmmmmmlomnolllmqmoknmmmlmnmmmmklkkmmmmmmmmmmmm"
+     "mmmmmmmmmmqphmnnnjmlnnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknnmllnnnmmmmmmmmmmmlmmmmnmmo"
+     "mmmmmmmmmmmlmnmlomlmmmmmmmmmmmmlmmmmmmmmm"},
+    {{{5, 792}, {2, 800}, {16, 1560}, {12, 832}, {11, 46}, {14, 2099}},
+     "lmnmmknmpmnmmmmmmmnmlmmmmolmnmmmmmmjnmmmmmmmmmmmmmmmmmmmmmmmmokmmomjnmmmmmmmmmmminlnmjolommln"
+     "nmlmnmmqnolmommlmnnmlmommmmllmlmnknlmmmmmmmmmmmnllmljklmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmkmlomq"
+     "lonmmmmmmlnmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjojmmioknmmmmmmpmln"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{3, 800}, {4, 384}, {10, 157}, {11, 118}, {18, 1036}, {0, 384}},
+     "mnnmmkmommomlmmknnlmmnnmmnomlmnmmnmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmonnnnmmmmmoml"
+     "lmmmmmmnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnnmmmmmmmmnmmmmmmmmmlllmmlmlnmknmmmlmmmmmllmml"
+     "nlmmqmlnmplmllknkpnnllnmknjnmmlkklnmlmmlklnnnmmmmojommmmmmmnmnmmlnnmmnmlmmnmmomlmmnmllmmmmlml"
+     "mommmmmnmmlnmmnmkpnnmnlnmnmkpkokmnmmjkokn"},
+    {{{0, 704}, {10, 42}, {7, 20}, {6, 174}, {14, 1352}, {21, 0}},
+     "lmknmnmlmmjmlomolnmmjlqomnlmmmmnmmmlmmmmomllmnmlnmojnmnnnlnmengjmmmmnmonnmmkmnlmmlmmmnmmmmnmn"
+     "lmmlmmmonmmmnolmlonmomnnmlmmmmnmmmmmmmmmlmmmmmmpmponmlnnmrllmmkmmkmmmnjmmqpimmmmmmnmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmllpmmmmmmmmnnlmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmkmmnmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mkmnmmmnmommmmmmollmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{7, 146}, {18, 650}, {14, 1328}, {11, 170}, {21, 0}, {4, 475}},
+     "lmmmmmmlmmmnlnlnlmmmllmllqlnlnmmlmmmnnlmllllnrmolmpmmmmnnkmmlmmmmllmnmmlmnmlkmnmkmpmnnmnpmnln"
+     "nmlkommmmmmmmmmmmlmmmmmnnmnmmnmmnnmmmmmlmmlmmmmlmlmmqllmmnmommkkolmjnmmnmknjnnkmmmmknlnmmmlmn"
+     "lmmmmmomnmmnmmmmmmmmmmmmmmnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmnmommknlmknnmmkomnmlmmmmmmmnmmmmmmmmmmm"},
+    {{{7, 146}, {4, 512}, {21, 0}, {7, 20}, {12, 1288}, {6, 90}},
+     "mmnlmmmnmmlllnmllpmmlmmmmnmlmmimmmnjnjjmonlmmlmlmmoknlmomnmmmlnmmlnmmmmmmmmmmnmmmmlnlolkmmtpk"
+     "kmlnlnmmmmmmnmmmmknmnmollnmlmnmmkmmmmjlmmmkmmnmmmmmmolmmmmlkmmklommmmmmmmmmmmmmmmmmmmmmmonnml"
+     "knmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmolnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnjnkmnlnlmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmlmmnmllnmmmmnmmmmmmm"},
 };
 /* To here. */
 /* clang-format on */
@@ -230,12 +249,23 @@ static size_t find_leaf(const tree *t, const int *mark)
     return leaf;
 }
 
+/* The weighted sum of marks, rounded towards 0: linear, so that it holds beyond what the fit saw.
+ */
+static int foretell_by_weights(const int *mark, int which)
+{
+    int64_t sum = START[which];
+    for (int k = 0; k < FMB_FEATURE_COUNT; k++)
+        sum += (int64_t)WEIGHT[k][which] * mark[k];
+    return (int)(sum / (FINE * MARKS));
+}
+
 static void foretell(const fmb_features *f, int *told)
 {
     int mark[FMB_FEATURE_COUNT];
     for (int k = 0; k < FMB_FEATURE_COUNT; k++)
         mark[k] = (int)(MARKS * rough_logarithm(fmb_features_value(f, (fmb_feature_id)k)));
-    memcpy(told, START, sizeof START);
+    for (int k = 0; k < FORETOLD_COUNT; k++)
+        told[k] = foretell_by_weights(mark, k);
     for (size_t t = 0; t < sizeof TREE / sizeof *TREE; t++) {
         const char *leaf = &TREE[t].leaf[find_leaf(&TREE[t], mark) * FORETOLD_COUNT];
         for (int k = 0; k < FORETOLD_COUNT; k++)

@@ -1,9 +1,9 @@
 /* selection.h: which ways of a projection are tried, and for how long, by what a part is like.
  *
  * Nothing is measured but numbers of rows, variables and coefficients, so that the same system
- * takes the same way everywhere. Trees of questions about features, which are fitted to times on
- * families of systems (bench/study/selection, `ninja fit-selection`), tell how much work each
- * engine takes, and whether bounded elimination pays.
+ * takes the same way everywhere. Weights of features and trees of questions about them, which are
+ * fitted to times on families of systems (bench/study/selection, `ninja fit-selection`), tell how
+ * much work each engine takes, and whether bounded elimination pays.
  */
 #ifndef FMB_SOLVE_SELECTION_H
 #define FMB_SOLVE_SELECTION_H

@@ -33,6 +33,11 @@ static inline double fmb_features_share(size_t part, size_t whole)
     return whole > 0 ? (double)part / (double)whole : 0;
 }
 
+static inline size_t fmb_features_least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
 /* What the choice asks about: identifier, name in data and reports, and the number as a double. */
 #define FMB_FEATURE_VALUES(F)                                                                      \
     F(KEPT, "variables that stay", f->kept)                                                        \
@@ -50,6 +55,11 @@ static inline double fmb_features_share(size_t part, size_t whole)
     F(MOST_PAIRS, "pairs of a variable", f->most_pairs)                                            \
     F(LEAST_GROWTH, "rows more by a variable", f->least_growth)                                    \
     F(MINOR_BITS, "bits of a minor", f->minor_bits)                                                \
+    F(DROPPED, "variables that go", f->columns - fmb_features_least((size_t)f->kept, f->columns))  \
+    F(SPARE_ROWS, "rows beyond variables", f->rows - fmb_features_least(f->rows, f->columns))      \
+    F(EQUALITY_COUNT, "equalities", f->equalities)                                                 \
+    F(ENTRY_BITS, "bits of an entry", fmb_features_share(f->minor_bits, f->columns))               \
+    F(OPEN_ROWS, "rows that do not only stay", f->rows - f->kept_rows)                             \
     F(WIDE, "wide numbers", f->is_wide)                                                            \
     F(ORIGIN, "0 is a solution", f->has_origin)
 
