@@ -204,25 +204,27 @@ static fmb_tiny_step make_last_round(fmb_tiny *t)
     return step == FMB_TINY_GO ? fmb_tiny_compare_ends(t) : step;
 }
 
-static void begin(fmb_tiny *t, size_t n, fmb_stats *stats)
+/* Of the rows of s, or where it is NULL of m small ones over n variables, taken for strict ones. */
+static fmb_verdict eliminate_all(size_t n, const fmb_system *s, size_t m, const fmb_vec *row,
+                                 fmb_stats *stats, uint64_t *clash)
 {
-    t->stats = stats;
-    t->now = &t->table[0];
-    t->next = &t->table[1];
-    t->n = (int)n;
-    t->since = 0;
-    t->most_pairs = n < 7 ? FMB_TINY_PAIRS : FMB_TINY_FEW_PAIRS;
-    t->last[0].known = t->last[1].known = false;
-}
-
-/* The rows were loaded, which is the step before. */
-static fmb_verdict eliminate_all(fmb_tiny *t, fmb_tiny_step step)
-{
-    t->stats->rows_peak = (uint64_t)t->now->rows;
-    while (step == FMB_TINY_GO && t->n > 2)
-        step = make_round(t);
+    fmb_tiny t;
+    if (n > FMB_TINY_VARIABLES || m > FMB_TINY_BASE)
+        return FMB_UNKNOWN;
+    t.stats = stats;
+    t.now = &t.table[0];
+    t.next = &t.table[1];
+    t.n = (int)n;
+    t.since = 0;
+    t.most_pairs = n < 7 ? FMB_TINY_PAIRS : FMB_TINY_FEW_PAIRS;
+    t.last[0].known = t.last[1].known = false;
+    fmb_tiny_step step = fmb_tiny_load(&t, s, m, row);
+    stats->rows_peak = (uint64_t)t.now->rows;
+    while (step == FMB_TINY_GO && t.n > 2)
+        step = make_round(&t);
     if (step == FMB_TINY_GO)
-        step = make_last_round(t);
+        step = make_last_round(&t);
+    *clash = step == FMB_TINY_CLASH ? t.clash : 0;
     return step == FMB_TINY_GO      ? FMB_FEASIBLE
            : step == FMB_TINY_CLASH ? FMB_INFEASIBLE
                                     : FMB_UNKNOWN;
@@ -230,21 +232,13 @@ static fmb_verdict eliminate_all(fmb_tiny *t, fmb_tiny_step step)
 
 fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats)
 {
-    fmb_tiny t;
-    if (fmb_system_dim(s) > FMB_TINY_VARIABLES || s->rows > FMB_TINY_BASE)
-        return FMB_UNKNOWN;
-    begin(&t, (size_t)fmb_system_dim(s), stats);
-    return eliminate_all(&t, fmb_tiny_load(&t, s));
+    uint64_t clash;
+    return eliminate_all((size_t)fmb_system_dim(s), s, s->rows, NULL, stats, &clash);
 }
 
 fmb_verdict fmb_tiny_find_tight(size_t n, size_t m, const fmb_vec *row, uint64_t *tight)
 {
-    fmb_tiny t;
     fmb_stats stats = {0};
-    if (n > FMB_TINY_VARIABLES || m > FMB_TINY_BASE)
-        return FMB_UNKNOWN;
-    begin(&t, n, &stats);
-    fmb_verdict verdict = eliminate_all(&t, fmb_tiny_load_strict(&t, n, m, row));
-    *tight = verdict == FMB_INFEASIBLE ? t.clash : 0;
-    return verdict;
+    *tight = 0;
+    return eliminate_all(n, NULL, m, row, &stats, tight);
 }

@@ -7,9 +7,10 @@
 /* What the box says of a row. */
 typedef enum word { NOTHING, ALWAYS, NEVER } word;
 
-static word check_row_over_box(const fmb_tiny *t, const fmb_tiny_table *rows, int i)
+static word check_row_over_box(fmb_tiny *t, const fmb_tiny_table *rows, int i)
 {
     const int64_t *a = rows->a[i];
+    uint64_t named = rows->history[i];  /* and of the ends where a.x is least */
     unsigned no_most = 0, no_least = 0; /* the box is open where a.x is greatest, least */
     fmb_i128 most = fmb_i128_of(0), least = most, right = fmb_i128_of(a[0]);
     for (int k = 1; k <= t->n; k++) {
@@ -18,25 +19,18 @@ static word check_row_over_box(const fmb_tiny *t, const fmb_tiny_table *rows, in
         int up = a[k] > 0;
         no_most |= t->open[up] >> k & 1;
         no_least |= t->open[!up] >> k & 1;
+        named |= t->end_history[!up][k];
         most = fmb_i128_plus_product(most, a[k], t->end[up][k]);
         least = fmb_i128_plus_product(least, a[k], t->end[!up][k]);
     }
     if (!no_most && fmb_i128_compare(most, right) < 0)
         return ALWAYS;
     int order = fmb_i128_compare(least, right);
-    if (!no_least && (order > 0 || (order == 0 && rows->strict[i])))
+    if (!no_least && (order > 0 || (order == 0 && rows->strict[i]))) {
+        t->clash = named;
         return NEVER;
+    }
     return NOTHING;
-}
-
-/* The row, and the ends where a.x is least. */
-static uint64_t rows_of_clash(const fmb_tiny *t, const fmb_tiny_table *rows, int i)
-{
-    uint64_t all = rows->history[i];
-    for (int k = 1; k <= t->n; k++)
-        if (rows->a[i][k] != 0)
-            all |= t->end_history[rows->a[i][k] < 0][k];
-    return all;
 }
 
 fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first)
@@ -44,10 +38,8 @@ fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first)
     int left = first;
     for (int i = first; i < rows->rows; i++) {
         word said = check_row_over_box(t, rows, i);
-        if (said == NEVER) {
-            t->clash = rows_of_clash(t, rows, i);
+        if (said == NEVER)
             return FMB_TINY_CLASH;
-        }
         if (said == ALWAYS)
             continue;
         if (left < i)

@@ -30,6 +30,8 @@ typedef struct load_row {
     int bits;
     bool strict;
     uint64_t history;
+    int own_var[FMB_TINY_WORDS]; /* room for what var and a point at */
+    int64_t own[FMB_TINY_WORDS];
 } load_row;
 
 /* Is a x REL b tighter than row i on the same side of the same variable? */
@@ -77,9 +79,9 @@ static void make_outward_box(fmb_tiny *t, const load_ends *e)
     for (int k = 1; k <= t->n; k++) {
         for (int side = 0; side < 2; side++) {
             int i = e->row[side][k];
+            t->end_history[side][k] = i < 0 ? 0 : t->now->history[i];
             if (i >= 0) {
                 const int64_t *a = t->now->a[i];
-                t->end_history[side][k] = t->now->history[i];
                 t->end[side][k] = side ? -floor_divide(-a[0], a[k]) : floor_divide(-a[0], -a[k]);
             }
             bool open = i < 0 || fmb_bits64(fmb_abs64(t->end[side][k])) > FMB_TINY_END_BITS;
@@ -104,61 +106,54 @@ static bool suits_the_stack(const fmb_system *s)
     return good;
 }
 
-static void begin_base(fmb_tiny *t, load_ends *e)
+static void read_system_row(load_row *to, const fmb_sysrow *r)
 {
+    to->nnz = r->nnz;
+    to->var = r->var;
+    to->a = r->val.s;
+    to->bits = r->val.bits;
+    to->strict = r->rel == FMB_LT;
+}
+
+static void read_dense_row(load_row *to, const fmb_vec *v, size_t n)
+{
+    to->nnz = 0;
+    to->var = to->own_var;
+    to->a = to->own;
+    to->bits = v->bits;
+    to->strict = true;
+    for (size_t j = 0; j < n; j++)
+        if (v->s[j] != 0) {
+            to->own_var[to->nnz] = (int)j;
+            to->own[to->nnz++] = v->s[j];
+        }
+    to->own[to->nnz] = v->s[n];
+}
+
+fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s, size_t m, const fmb_vec *row)
+{
+    load_ends e;
+    load_row r;
     t->now->rows = 0;
-    for (int k = 0; k < FMB_TINY_WORDS; k++)
-        e->row[0][k] = e->row[1][k] = -1;
-}
-
-/* The row names a variable. */
-static void put_row(fmb_tiny *t, load_ends *e, const load_row *r)
-{
-    if (r->nnz == 1)
-        put_end_row(t->now, e, r);
-    else
-        put_base_row(t->now, t->now->rows++, r);
-}
-
-static fmb_tiny_step end_base(fmb_tiny *t, const load_ends *e)
-{
-    make_outward_box(t, e);
-    return fmb_tiny_prune(t, t->now, 0);
-}
-
-fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
-{
-    load_ends e;
-    if (!suits_the_stack(s))
+    if (s && !suits_the_stack(s))
         return FMB_TINY_FULL;
-    begin_base(t, &e);
-    for (size_t i = 0; i < s->rows; i++) {
-        const fmb_sysrow *r = fmb_system_row(s, i);
-        const load_row row = {r->nnz,      r->var,           r->val.s,
-                              r->val.bits, r->rel == FMB_LT, (uint64_t)1 << i};
-        if (r->nnz > 0)
-            put_row(t, &e, &row);
-        else if (r->val.s[0] < 0 || (r->val.s[0] == 0 && r->rel == FMB_LT))
-            return FMB_TINY_CLASH;
-    }
-    return end_base(t, &e);
-}
-
-fmb_tiny_step fmb_tiny_load_strict(fmb_tiny *t, size_t n, size_t m, const fmb_vec *row)
-{
-    load_ends e;
-    int var[FMB_TINY_WORDS];
-    int64_t a[FMB_TINY_WORDS];
-    begin_base(t, &e);
+    for (int k = 0; k < FMB_TINY_WORDS; k++)
+        e.row[0][k] = e.row[1][k] = -1;
     for (size_t i = 0; i < m; i++) {
-        load_row r = {0, var, a, row[i].bits, true, (uint64_t)1 << i};
-        for (size_t j = 0; j < n; j++)
-            if (row[i].s[j] != 0) {
-                var[r.nnz] = (int)j;
-                a[r.nnz++] = row[i].s[j];
-            }
-        a[r.nnz] = row[i].s[n];
-        put_row(t, &e, &r);
+        if (s)
+            read_system_row(&r, fmb_system_row(s, i));
+        else
+            read_dense_row(&r, &row[i], (size_t)t->n);
+        r.history = (uint64_t)1 << i;
+        if (r.nnz == 1)
+            put_end_row(t->now, &e, &r);
+        else if (r.nnz > 1)
+            put_base_row(t->now, t->now->rows++, &r);
+        else if (r.a[0] < 0 || (r.a[0] == 0 && r.strict)) {
+            t->clash = r.history;
+            return FMB_TINY_CLASH;
+        }
     }
-    return end_base(t, &e);
+    make_outward_box(t, &e);
+    return fmb_tiny_prune(t, t->now, 0);
 }

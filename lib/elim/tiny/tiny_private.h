@@ -64,10 +64,9 @@ static inline void fmb_tiny_copy(fmb_tiny_table *to, int i, const fmb_tiny_table
     to->strict[i] = from->strict[k];
 }
 
-/* tiny_load.c: the rows of s as the base; rows with one variable also as the box. */
-fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s);
-/* The same of m small rows over n columns, each of which is taken for a strict one. */
-fmb_tiny_step fmb_tiny_load_strict(fmb_tiny *t, size_t n, size_t m, const fmb_vec *row);
+/* tiny_load.c: m rows as the base, those with one variable also as the box: all rows of s; where s
+ * is NULL small ones over all t->n variables, each taken for a strict one. */
+fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s, size_t m, const fmb_vec *row);
 
 /* tiny_row.c: the combination of rows p and q of t->now that cancels variable c, p's coefficient
  * being negative and q's positive, at the end of t->next, not counted yet; false if it does not

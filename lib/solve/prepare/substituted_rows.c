@@ -20,7 +20,6 @@ typedef struct substitution {
     fmb_lp_row *row; /* [rows] the inequalities that still name variables, */
     size_t *number;  /* and which they are */
     size_t rows;
-    bool any_equality; /* of those given */
     fmb_sorting *out;
     bool *tight; /* [m] inequalities that turned out to be equalities; NULL: none is looked for */
 } substitution;
@@ -128,41 +127,6 @@ static fmb_status reduce_open_inequalities(substitution *t, fmb_num *num)
     return FMB_OK;
 }
 
-static bool are_opposite(const fmb_vec *a, const fmb_vec *b, size_t n)
-{
-    size_t j = 0;
-    while (j < n && a->s[j] == -b->s[j])
-        j++;
-    return j == n;
-}
-
-/* Two inequalities that say a.x <= b and a.x >= b. */
-static bool find_opposites(const substitution *t, size_t *first, size_t *second)
-{
-    for (size_t i = 0; i < t->m; i++)
-        for (size_t k = i + 1; !is_settled(t, i) && k < t->m; k++)
-            if (!is_settled(t, k) && are_opposite(&t->v[i], &t->v[k], t->n + 1)) {
-                *first = i;
-                *second = k;
-                return true;
-            }
-    return false;
-}
-
-/* The first of two such becomes an equality, from which the second follows. */
-static fmb_status substitute_opposites(substitution *t, fmb_num *num, bool *small)
-{
-    size_t i, k;
-    bool wanted = t->tight && t->any_equality;
-    while (*small && t->out->feasible && wanted && find_opposites(t, &i, &k)) {
-        t->out->feasible = t->from[i].rel == FMB_LE && t->from[k].rel == FMB_LE;
-        t->tight[i] = t->out->gone[k] = true;
-        FMB_TRY(substitute_equality(t, i, find_pivot(t, i), num, small));
-        FMB_TRY(*small ? reduce_open_inequalities(t, num) : FMB_OK);
-    }
-    return FMB_OK;
-}
-
 /* Inequality i is an equality. */
 static fmb_status substitute_tight_row(substitution *t, size_t i, fmb_num *num, bool *small)
 {
@@ -215,22 +179,14 @@ static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *ar
     return FMB_OK;
 }
 
-/* What is given as equality, and what is found to be one at sight. */
-static fmb_status substitute(substitution *t, fmb_num *num, bool *small)
-{
-    fmb_status st = substitute_all_equalities(t, num, small);
-    if (st == FMB_OK && *small)
-        st = reduce_open_inequalities(t, num);
-    return st == FMB_OK && *small ? substitute_opposites(t, num, small) : st;
-}
-
 /* Each pass but the last finds rows that are equalities, and leaves fewer columns; out->tight is
  * what one has found before. */
 static fmb_status substitute_and_sort(substitution *t, fmb_run *run, fmb_arena *arena, fmb_num *num,
                                       bool *small)
 {
     uint64_t tight = t->out->tight;
-    FMB_TRY(tight != 0 ? substitute_tight_rows(t, tight, num, small) : substitute(t, num, small));
+    FMB_TRY(substitute_all_equalities(t, num, small));
+    FMB_TRY(substitute_tight_rows(t, tight, num, small));
     do {
         list_inequalities(t);
         t->out->inner = t->out->feasible && t->rows == 0;
@@ -258,10 +214,9 @@ fmb_status fmb_substituted_rows_sort(fmb_run *run, fmb_arena *arena, fmb_num *nu
 {
     substitution t = {.n = n, .m = m, .from = row, .out = out, .tight = tight};
     bool small = are_rows_small(m, row);
-    t.any_equality = has_equality(m, row);
     out->feasible = true;
     out->tight = 0;
-    if (!small || !t.any_equality) {
+    if (!small || !has_equality(m, row)) {
         out->wants_tight = small && tight;
         FMB_TRY(fmb_lp_sort_rows(run, (int)n, m, row, out));
         if (out->tight == 0)

@@ -127,21 +127,24 @@ typedef struct fmb_paused_sorting {
 
 /* ---- at sight -------------------------------------------------------------------------------- */
 
-/* The row that alone has this sign in the column, as a set; empty: none has it alone. */
-static uint64_t find_row_alone(const nonzero_columns *t, size_t j, bool positive)
+/* The set, if it has one element; else the empty one. */
+static uint64_t only_element(uint64_t set)
 {
-    uint64_t found = 0;
-    for (size_t i = 0; i < t->m; i++)
-        if (positive ? t->v[i].s[j] > 0 : t->v[i].s[j] < 0)
-            found |= (uint64_t)1 << i;
-    return (found & (found - 1)) == 0 ? found : 0;
+    return (set & (set - 1)) == 0 ? set : 0;
 }
 
+/* For each row, is there a column where no other one has its sign? */
 static bool has_each_row_a_sign_alone(const nonzero_columns *t)
 {
     uint64_t found = 0;
-    for (size_t j = 0; j < t->n; j++)
-        found |= find_row_alone(t, j, true) | find_row_alone(t, j, false);
+    for (size_t j = 0; j < t->n; j++) {
+        uint64_t positive = 0, negative = 0, row = 1;
+        for (size_t i = 0; i < t->m; i++, row <<= 1) {
+            positive |= t->v[i].s[j] > 0 ? row : 0;
+            negative |= t->v[i].s[j] < 0 ? row : 0;
+        }
+        found |= only_element(positive) | only_element(negative);
+    }
     return found == UINT64_MAX >> (64 - t->m);
 }
 
