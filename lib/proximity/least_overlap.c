@@ -35,12 +35,19 @@ enum {
 };
 
 /* Edges of one side are chosen together if they belong to one group: those of a cuboid are one
- * group, those of a simplex that start at one corner. */
+ * group, those of a simplex that start at one corner. Those of Q are negated. */
 typedef struct direction {
     int side, group; /* side 2: the drift; 3: the world */
     mpz_t *exact;    /* [dim] */
     double x[MOST];  /* scaled */
 } direction;
+
+/* P, Q and the drift: M is `away` and a point of each, which is a sum of shares of its axes, of a
+ * simplex of all of them no more than 1. */
+typedef struct summand {
+    int axes, first; /* directions */
+    bool simplex;
+} summand;
 
 typedef struct normal_search {
     fmb_minkowski *m;
@@ -49,12 +56,13 @@ typedef struct normal_search {
     fmb_mem *mem;
     int directions; /* without those of the world, which follow */
     direction direction[MOST_DIRECTIONS];
-    int first[2]; /* the axes of a side begin there */
+    summand of[3];
     int chosen[MOST];
     double minor[SETS], size[SETS];  /* of the directions chosen: a set of k rows is about k */
     mpz_t *exact;                    /* [sets] the same minors in whole numbers ... */
     int known;                       /* ... of so many directions */
-    double away[MOST], weight[MOST]; /* origin of P - origin of Q; the largest |coordinates| of M */
+    mpz_t *away;                     /* [dim] origin of P - origin of Q */
+    double near[MOST], weight[MOST]; /* the same scaled; the largest |coordinates| of M */
     double best;                     /* no less than the least overlap / size, scaled */
     fmb_least_overlap at;            /* the one at hand */
     mpz_t *cell;                     /* [cells] all numbers */
@@ -79,11 +87,6 @@ void fmb_least_overlap_clear(fmb_least_overlap *x)
         mpz_clear(x->normal[j]);
 }
 
-static mpz_t *row_of(const normal_search *x, int side, int row)
-{
-    return x->m->frame[side].row + row * x->m->dim;
-}
-
 static direction *add_direction(normal_search *x, int side, int group)
 {
     direction *d = &x->direction[x->directions];
@@ -95,13 +98,16 @@ static direction *add_direction(normal_search *x, int side, int group)
 /* Edges of corner `group` of that side; of corner 0, the origin, they are the axes. */
 static void add_edges(normal_search *x, int side, int group)
 {
-    for (int i = group + 1; i <= x->m->frame[side].naxes; i++) {
+    const fmb_minkowski_frame *f = &x->m->frame[side];
+    for (int i = group + 1; i <= f->naxes; i++) {
         direction *d = add_direction(x, side, group);
-        for (int j = 0; j < x->m->dim; j++)
-            if (group == 0)
-                mpz_set(d->exact[j], row_of(x, side, i)[j]);
-            else
-                mpz_sub(d->exact[j], row_of(x, side, i)[j], row_of(x, side, group)[j]);
+        for (int j = 0; j < x->m->dim; j++) {
+            mpz_set(d->exact[j], f->row[i * x->m->dim + j]);
+            if (group > 0)
+                mpz_sub(d->exact[j], d->exact[j], f->row[group * x->m->dim + j]);
+            if (side == 1)
+                mpz_neg(d->exact[j], d->exact[j]);
+        }
     }
 }
 
@@ -109,18 +115,19 @@ static void add_directions(normal_search *x)
 {
     for (int side = 0; side < 2; side++) {
         const fmb_minkowski_frame *f = &x->m->frame[side];
-        x->first[side] = x->directions;
-        for (int group = 0; group == 0 || (f->shape == FMB_SIMPLEX && group < f->naxes); group++)
+        x->of[side] = (summand){f->naxes, x->directions, f->shape == FMB_SIMPLEX};
+        for (int group = 0; group == 0 || (x->of[side].simplex && group < f->naxes); group++)
             add_edges(x, side, group);
     }
-    if (x->m->moves) {
-        direction *d = add_direction(x, 2, 0);
-        for (int j = 0; j < x->m->dim; j++)
-            mpz_set(d->exact[j], x->m->drift[j]);
-    }
+    x->of[2] = (summand){x->m->moves, x->directions, false};
+    direction *drift = x->m->moves ? add_direction(x, 2, 0) : NULL;
     int ours = x->directions;
-    for (int j = 0; j < x->m->dim; j++)
+    for (int j = 0; j < x->m->dim; j++) {
+        if (drift)
+            mpz_set(drift->exact[j], x->m->drift[j]);
         mpz_set_ui(add_direction(x, 3, 0)->exact[j], 1);
+        mpz_sub(x->away[j], x->m->frame[0].row[j], x->m->frame[1].row[j]);
+    }
     x->directions = ours;
 }
 
@@ -135,17 +142,14 @@ static double scaled(const mpz_t z, long top)
 static void scale_numbers(normal_search *x)
 {
     size_t top = 1;
-    for (int j = 0; j < x->m->dim; j++) {
-        mpz_sub(x->at.normal[j], row_of(x, 0, 0)[j], row_of(x, 1, 0)[j]);
-        top = mpz_sizeinbase(x->at.normal[j], 2) > top ? mpz_sizeinbase(x->at.normal[j], 2) : top;
-        for (int i = 0; i < x->directions; i++) {
-            size_t bits = mpz_sizeinbase(x->direction[i].exact[j], 2);
+    for (int i = -1; i < x->directions; i++)
+        for (int j = 0; j < x->m->dim; j++) {
+            size_t bits = mpz_sizeinbase(i < 0 ? x->away[j] : x->direction[i].exact[j], 2);
             top = bits > top ? bits : top;
         }
-    }
     for (int j = 0; j < x->m->dim; j++) {
-        x->away[j] = scaled(x->at.normal[j], (long)top);
-        x->weight[j] = fabs(x->away[j]);
+        x->near[j] = scaled(x->away[j], (long)top);
+        x->weight[j] = fabs(x->near[j]);
         for (int i = 0; i < x->directions; i++) {
             direction *d = &x->direction[i];
             d->x[j] = scaled(d->exact[j], (long)top);
@@ -156,7 +160,7 @@ static void scale_numbers(normal_search *x)
 
 static fmb_status open_search(normal_search *x)
 {
-    size_t dim = (size_t)x->m->dim, edges = 1 + dim; /* of the drift, of the world */
+    size_t dim = (size_t)x->m->dim, edges = 2 + dim; /* away, the drift, the world */
     for (int side = 0; side < 2; side++)
         edges += (size_t)x->m->frame[side].naxes * ((size_t)x->m->frame[side].naxes + 1) / 2;
     x->cells = edges * dim + ((size_t)1 << dim);
@@ -166,6 +170,7 @@ static fmb_status open_search(normal_search *x)
     if (!x->cell)
         return fmb_mem_status(x->mem);
     x->exact = x->cell + edges * dim;
+    x->away = x->exact - dim;
     x->best = INFINITY;
     add_directions(x);
     scale_numbers(x);
@@ -242,48 +247,48 @@ static bool is_dependent(normal_search *x, int level)
 
 /* ---- overlaps in doubles --------------------------------------------------------------------- */
 
-/* Add sign times what a side spans along n to [low, high]. */
-static void add_span_of_doubles(const normal_search *x, int side, double sign, const double *n,
-                                double *low, double *high)
+/* Coordinates beyond those of the space are 0. */
+static double along(const double *n, const double *v)
 {
-    const fmb_minkowski_frame *f = &x->m->frame[side];
-    double span[2] = {0, 0};
-    for (int i = 0; i < f->naxes; i++) {
-        double sum = 0;
-        for (int j = 0; j < x->m->dim; j++)
-            sum += sign * n[j] * x->direction[x->first[side] + i].x[j];
-        double *end = &span[sum > 0];
-        *end = f->shape == FMB_CUBOID ? *end + sum : fabs(sum) > fabs(*end) ? sum : *end;
+    double sum[2] = {0, 0};
+    for (int j = 0; j < MOST; j += 2) {
+        sum[0] += n[j] * v[j];
+        sum[1] += n[j + 1] * v[j + 1];
     }
-    *low += span[0];
-    *high += span[1];
+    return sum[0] + sum[1];
+}
+
+/* What M spans along n. */
+static void find_ends(const normal_search *x, const double *n, double end[2])
+{
+    end[0] = end[1] = along(n, x->near);
+    for (const summand *f = x->of; f < x->of + 3; f++) {
+        double span[2] = {0, 0};
+        for (int i = 0; i < f->axes; i++) {
+            double at = along(n, x->direction[f->first + i].x), *most = &span[at > 0];
+            *most = !f->simplex ? *most + at : fabs(at) > fabs(*most) ? at : *most;
+        }
+        end[0] += span[0];
+        end[1] += span[1];
+    }
 }
 
 /* Bounds for overlap and size of the normal at hand, and whether it has no less than the best. */
 static bool is_surely_more(const normal_search *x, double *bound)
 {
     int dim = x->m->dim, all = (1 << dim) - 1;
-    double n[MOST], off = LEAST, most = 0, least = 0, low = 0;
+    double n[MOST] = {0}, end[2], off = LEAST, most = 0, least = 0;
     bool square = x->norm == FMB_NORM_EUCLIDEAN;
     for (int j = 0; j < dim; j++) {
-        double size = x->size[all & ~(1 << j)], fuzz = SHARE * size;
+        double fuzz = SHARE * x->size[all & ~(1 << j)];
         n[j] = (j & 1 ? -1 : 1) * x->minor[all & ~(1 << j)];
         double up = fabs(n[j]) + fuzz, down = fmax(fabs(n[j]) - fuzz, 0);
         most += square ? up * up : up;
         least += square ? down * down : down;
         off += 2 * fuzz * x->weight[j];
-        low += n[j] * x->away[j];
     }
-    double high = low;
-    add_span_of_doubles(x, 0, 1, n, &low, &high);
-    add_span_of_doubles(x, 1, -1, n, &low, &high);
-    if (x->m->moves) {
-        double drift = 0;
-        for (int j = 0; j < dim; j++)
-            drift += n[j] * x->direction[x->directions - 1].x[j];
-        *(drift < 0 ? &low : &high) += drift;
-    }
-    double overlap = fmin(high, -low);
+    find_ends(x, n, end);
+    double overlap = fmin(end[1], -end[0]);
     *bound = ABOVE * (fmax(overlap, 0) + off) / (square ? sqrt(least) : least);
     return overlap - off > x->best * (square ? sqrt(most) : most);
 }
@@ -307,40 +312,27 @@ static void measure_normal(normal_search *x)
     }
 }
 
-/* Add sign times what a side spans along the normal to [low, high]. */
-static void add_span(normal_search *x, int side, int sign)
-{
-    const fmb_minkowski_frame *f = &x->m->frame[side];
-    mpz_set_ui(x->span[0], 0);
-    mpz_set_ui(x->span[1], 0);
-    for (int i = 0; i < f->naxes; i++) {
-        fmb_minkowski_dot(x->m, x->at.normal, row_of(x, side, 1 + i), x->t);
-        if (sign < 0)
-            mpz_neg(x->t, x->t);
-        mpz_ptr end = x->span[mpz_sgn(x->t) > 0];
-        if (f->shape == FMB_CUBOID)
-            mpz_add(end, end, x->t);
-        else if (mpz_cmpabs(x->t, end) > 0)
-            mpz_set(end, x->t);
-    }
-    mpz_add(x->low, x->low, x->span[0]);
-    mpz_add(x->high, x->high, x->span[1]);
-}
-
 /* What M spans along the normal; the overlap is the smaller way from 0 out of it, and the normal is
  * turned to where that leads. */
 static void measure_overlap(normal_search *x)
 {
     fmb_least_overlap *n = &x->at;
-    fmb_minkowski_dot(x->m, n->normal, row_of(x, 0, 0), x->low);
-    fmb_minkowski_dot(x->m, n->normal, row_of(x, 1, 0), x->t);
-    mpz_sub(x->low, x->low, x->t);
+    fmb_minkowski_dot(x->m, n->normal, x->away, x->low);
     mpz_set(x->high, x->low);
-    add_span(x, 0, 1);
-    add_span(x, 1, -1);
-    fmb_minkowski_dot(x->m, n->normal, x->m->drift, x->t);
-    mpz_ptr end = mpz_sgn(x->t) < 0 ? x->low : x->high;
-    mpz_add(end, end, x->t);
+    for (const summand *f = x->of; f < x->of + 3; f++) {
+        mpz_set_ui(x->span[0], 0);
+        mpz_set_ui(x->span[1], 0);
+        for (int i = 0; i < f->axes; i++) {
+            fmb_minkowski_dot(x->m, n->normal, x->direction[f->first + i].exact, x->t);
+            mpz_ptr most = x->span[mpz_sgn(x->t) > 0];
+            if (!f->simplex)
+                mpz_add(most, most, x->t);
+            else if (mpz_cmpabs(x->t, most) > 0)
+                mpz_set(most, x->t);
+        }
+        mpz_add(x->low, x->low, x->span[0]);
+        mpz_add(x->high, x->high, x->span[1]);
+    }
     mpz_neg(x->low, x->low);
     bool back = mpz_cmp(x->low, x->high) < 0;
     mpz_set(n->overlap, back ? x->low : x->high);
