@@ -143,6 +143,28 @@ void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)
     out->known = out->reach > 0x1p-300;
 }
 
+static bool are_multiples(const double *x, int n, double finer)
+{
+    bool good = true;
+    for (int i = 0; x && i < n && good; i++)
+        good = x[i] * finer == rint(x[i] * finer);
+    return good;
+}
+
+bool fmb_bodies_are_whole(const fmb_frame *p, const fmb_frame *q, const fmb_bodies *b)
+{
+    const fmb_frame *const f[2] = {p, q};
+    if (b->exponent != 0)
+        return false;
+    const double finer = ldexp(1, 15 - ilogb(b->reach));
+    bool good = true;
+    for (int k = 0; k < 2 && good; k++)
+        good = are_multiples(f[k]->origin, p->dim, finer) &&
+               are_multiples(f[k]->axes, f[k]->naxes * p->dim, finer) &&
+               are_multiples(f[k]->speed, p->dim, finer);
+    return good;
+}
+
 double fmb_bodies_place(const fmb_bodies *b, const fmb_frame *p, int j, double x)
 {
     return p->origin[j] + ldexp(x, b->exponent);

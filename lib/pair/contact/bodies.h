@@ -63,6 +63,10 @@ static inline bool fmb_bodies_are(const fmb_frame *p, const fmb_frame *q)
 }
 /* Of frames that can. Sets all but hulls. */
 void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out);
+/* Are all numbers multiples of one power of two, and coordinates less than 2^16 of it? Vertices are
+ * then what they are, and so is all that is made of three differences of them (less than 2^17) by
+ * products and sums: that is less than 2^53. */
+bool fmb_bodies_are_whole(const fmb_frame *p, const fmb_frame *q, const fmb_bodies *b);
 /* Coordinate j of the world. */
 double fmb_bodies_place(const fmb_bodies *b, const fmb_frame *p, int j, double x);
 

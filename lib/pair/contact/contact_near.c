@@ -90,7 +90,7 @@ bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, do
     return true;
 }
 
-fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q,
+fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
                                  const fmb_hull_kernels *hulls, bool *good, fmb_pair_near *out)
 {
     asked_bodies x;
@@ -100,11 +100,20 @@ fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q,
         *good = wants && tell_distance(&x, p, q, out);
         return FMB_INFEASIBLE;
     }
-    if (!known || !fmb_gjk_is_inside(&x.g))
+    bool inside = known && fmb_gjk_is_inside(&x.g);
+    x.g.whole = known && !inside && fmb_bodies_are_whole(p, q, &x.b);
+    if (!inside && !(x.g.whole && fmb_gjk_surrounds(&x.g)))
         return FMB_UNKNOWN;
-    *good = wants && fmb_epa_depth(&x.g, &out->length, out->normal);
+    bool may_touch = x.g.whole && contact == FMB_CONTACT_OPEN;
+    double depth, normal[3];
+    bool told = (wants || may_touch) && fmb_epa_depth(&x.g, &depth, normal);
+    if (may_touch && !(told && depth > 0))
+        return FMB_UNKNOWN;
+    *good = wants && told;
     if (*good)
-        out->length = ldexp(out->length, x.b.exponent);
+        out->length = ldexp(depth, x.b.exponent);
+    for (int j = 0; *good && j < p->dim; j++)
+        out->normal[j] = normal[j];
     return FMB_FEASIBLE;
 }
 

@@ -25,7 +25,7 @@ bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, do
 
 /* Do they meet? UNKNOWN: that is not certain. If *good, then how far or deep is asked for, too, and
  * *good becomes whether that is known. */
-fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q,
+fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
                                  const fmb_hull_kernels *hulls, bool *good, fmb_pair_near *out);
 
 /* b of a row normal.x <= b that holds for p, and normal.x >= b for q; NAN where none is known. */

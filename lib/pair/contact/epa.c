@@ -11,6 +11,10 @@
  * If vertices go to where those of M are, by 25 u R in each coordinate, then the surface moves by
  * less than 64 u R, and winds around the ball of radius t - 64 u R still: that ball lies in M, so
  * the depth is no less. It is no more than what M reaches along any direction.
+ *
+ * Where bodies are whole (bodies.h) nothing is rounded but lengths: the surface is the boundary of
+ * the hull of its vertices, 0 is behind all triangles or on them, and M is behind one beyond which
+ * it has no vertex.
  */
 #include "pair/contact/epa.h"
 
@@ -28,6 +32,7 @@ typedef struct triangle {
 
 typedef struct surface {
     int dim, vertices, triangles, edges;
+    bool whole;
     double x[MOST_VERTICES][3];
     triangle t[MOST_TRIANGLES];
     uint8_t edge[MOST_EDGES][2]; /* of what gave way, those that nothing passed in the other
@@ -45,6 +50,8 @@ static bool add_triangle(surface *s, int a, int b, int c)
     t->v[2] = (uint8_t)c;
     t->height = fmb_gjk_height(s->dim, s->x[a], s->x[b], s->x[c], t->n);
     t->at = fmb_dot3(t->n, s->x[a]);
+    if (s->whole)
+        t->height = t->at / sqrt(fmb_dot3(t->n, t->n));
     return true;
 }
 
@@ -105,6 +112,7 @@ bool fmb_epa_depth(const fmb_gjk *g, double *depth, double *normal)
     const double reach = g->b->reach, error = 64 * DBL_EPSILON * reach;
     surface s;
     s.dim = g->b->dim;
+    s.whole = g->whole;
     s.vertices = s.dim + 1;
     s.triangles = 0;
     for (int i = 0; i <= s.dim; i++)
@@ -119,12 +127,15 @@ bool fmb_epa_depth(const fmb_gjk *g, double *depth, double *normal)
         const triangle *t = &s.t[i];
         double back[3] = {-t->n[0], -t->n[1], -t->n[2]}, length = sqrt(fmb_dot3(t->n, t->n));
         fmb_gjk_support(g, back, &far);
-        *depth = fmb_dot3(t->n, far.x) / length;
+        const double most = fmb_dot3(t->n, far.x);
+        *depth = most > 0 ? most / length : 0;
         for (int j = 0; j < g->b->dim; j++)
             normal[j] = t->n[j] / length;
-        if (!(t->height > 0))
+        if (s.whole && most == t->at)
+            return true;
+        if (!(t->height > 0) && !s.whole)
             return false;
-        if (*depth - t->height <= 0x1p-42 * reach)
+        if (t->height > 0 && *depth - t->height <= 0x1p-42 * reach)
             return *depth + error - (t->height - error) <= 0x1p-41 * reach;
         if (!add_vertex(&s, far.x, i))
             return false;

@@ -309,3 +309,58 @@ bool fmb_gjk_is_inside(fmb_gjk *g)
     }
     return inside;
 }
+
+/* ---- of whole numbers ------------------------------------------------------------------------ */
+
+/* A vertex of M that is farther along w, or less far, than those at hand, which are as far as each
+ * other; false: there is none. */
+static bool add_vertex_beside(fmb_gjk *g, const double *w)
+{
+    const double back[3] = {-w[0], -w[1], -w[2]};
+    for (int side = 0; side < 2; side++) {
+        fmb_gjk_support(g, side == 0 ? w : back, &g->v[g->n]);
+        if (fmb_dot3(w, g->v[g->n].x) != fmb_dot3(w, g->v[0].x)) {
+            g->n++;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The next vertex, in one of the directions at right angles to the edges at hand. */
+static bool grow_simplex(fmb_gjk *g)
+{
+    bool grown = false;
+    for (int j = 0; j < 3 && !grown; j++) {
+        double axis[3] = {j == 0, j == 1, j == 2}, edge[3], w[3];
+        memcpy(w, axis, sizeof w);
+        if (g->n > 2)
+            subtract(g->v[2].x, g->v[0].x, axis);
+        if (g->n > 1) {
+            subtract(g->v[1].x, g->v[0].x, edge);
+            cross(edge, axis, w);
+        }
+        grown = add_vertex_beside(g, w);
+    }
+    return grown;
+}
+
+/* The simplex is none in a plane if its vertex 2, which is not on the first face, is behind that.
+ */
+bool fmb_gjk_surrounds(fmb_gjk *g)
+{
+    const int dim = g->b->dim;
+    while (g->n <= dim)
+        if (!grow_simplex(g))
+            return false;
+    turn_simplex(g);
+    bool around = true;
+    for (int i = 0; around && i <= dim; i++) {
+        const uint8_t *f = FMB_GJK_FACE[dim - 2][i];
+        double n[3], at;
+        fmb_gjk_height(dim, g->v[f[0]].x, g->v[f[1]].x, g->v[f[2]].x, n);
+        at = fmb_dot3(n, g->v[f[0]].x);
+        around = at >= 0 && (i > 0 || fmb_dot3(n, g->v[2].x) < at);
+    }
+    return around;
+}

@@ -26,6 +26,7 @@ typedef struct fmb_gjk_vertex {
 
 typedef struct fmb_gjk {
     const fmb_bodies *b;
+    bool whole;          /* that these are (bodies.h) */
     int n;               /* vertices of a simplex with the nearest point */
     fmb_gjk_vertex v[4]; /* and the one that is looked at */
     double weight[4];    /* of that point; less than 0: 0 is inside of the simplex */
@@ -50,6 +51,9 @@ double fmb_gjk_height(int dim, const double *a, const double *b, const double *c
 /* Is a ball of radius 64 u R around 0 certainly inside the simplex? Its vertices are put in such an
  * order that its faces, as FMB_GJK_FACE tells them, look outward. */
 bool fmb_gjk_is_inside(fmb_gjk *g);
+/* Of bodies that are whole (bodies.h): has M a simplex of that dimension with the vertices at hand
+ * among its own, and 0 in it or on its boundary? Its faces look outward then, too. */
+bool fmb_gjk_surrounds(fmb_gjk *g);
 /* [dim - 2][face]; there are dim + 1. */
 extern const uint8_t FMB_GJK_FACE[2][4][3];
 

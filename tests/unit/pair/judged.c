@@ -71,3 +71,72 @@ Test(contact, hulls)
         cr_assert(whole || told > 0.95, "%g of kind %d", told, kind);
     }
 }
+
+/* ---- hulls of whole numbers ------------------------------------------------------------------ */
+
+/* Frames of corners that are small whole numbers times a power of two, perhaps all in one plane or
+ * far away: hulls, and other frames beside them. */
+typedef struct whole_frames {
+    enum { WHOLE_PAIRS = 40, WHOLE_CORNERS = 14 } pairs;
+    double x[2 * WHOLE_PAIRS][(WHOLE_CORNERS + 1) * 3];
+    fmb_frame f[2 * WHOLE_PAIRS];
+} whole_frames;
+
+static void draw_whole_frame(support_rng *g, int dim, int power, double far, bool hull, double *x,
+                             fmb_frame *out)
+{
+    static const fmb_shape SHAPE[] = {FMB_CUBOID, FMB_SIMPLEX, FMB_CUBOID_BY_CORNERS,
+                                      FMB_SIMPLEX_BY_CORNERS};
+    int size = support_chance(g, 70) ? 3 : 40, flat = support_chance(g, 10) ? 0 : dim;
+    int naxes = hull ? support_between(g, dim + 1, WHOLE_CORNERS - 1) : support_between(g, 0, dim);
+    fmb_shape shape = hull ? FMB_SIMPLEX_BY_CORNERS : SHAPE[support_between(g, 0, 3)];
+    bool edges = shape == FMB_CUBOID || shape == FMB_SIMPLEX;
+    int centre = support_between(g, -size, size);
+    for (int c = 0; c < (naxes + 2) * dim; c++) {
+        bool origin = c < dim, speed = c >= (naxes + 1) * dim;
+        double at = c % dim == flat ? 1 : support_between(g, -size, size);
+        if (c % dim == 0 && !speed && (origin || !edges))
+            at += centre;
+        x[c] = ldexp(at + (!speed && (origin || !edges) ? far : 0), power);
+    }
+    bool moves = support_chance(g, 20);
+    *out = (fmb_frame){shape, dim, naxes, x, x + dim, moves ? x + (naxes + 1) * dim : NULL};
+}
+
+/* Verdicts of interiors, too. */
+static void expect_open_verdicts(int dim, size_t n, const fmb_frame *p, const fmb_frame *q)
+{
+    fmb_verdict said[2][WHOLE_PAIRS];
+    for (int exact = 0; exact < 2; exact++) {
+        fmb_pair *k = NULL;
+        fmb_pair_options o = {.size = sizeof o, .contact = FMB_CONTACT_OPEN};
+        o.method = exact ? FMB_PAIR_EXACT : FMB_PAIR_FMB;
+        fmb_pair_answers out = {.size = sizeof out, .verdict = said[exact]};
+        cr_assert_eq(fmb_pair_new(dim, &o, NULL, &k), FMB_OK);
+        cr_assert_eq(fmb_pair_test(k, n, p, q, &out), FMB_OK);
+        fmb_pair_free(k);
+    }
+    for (size_t i = 0; i < n; i++)
+        cr_expect_eq(said[0][i], said[1][i], "pair %zu in %d dimensions", i, dim);
+}
+
+/* None is left to the exact way, unless one plane holds both. */
+Test(contact, hulls_of_whole_numbers)
+{
+    static whole_frames w;
+    static const int POWER[] = {0, 0, 60, -60};
+    support_rng g = {29};
+    double told = 0;
+    for (int round = 0; round < 16; round++) {
+        int dim = 2 + round % 2;
+        double far = round % 3 == 2 ? 0x1p40 : 0;
+        for (int i = 0; i < 2 * WHOLE_PAIRS; i++)
+            draw_whole_frame(&g, dim, POWER[round / 4], far, i < WHOLE_PAIRS || i % 3 > 0, w.x[i],
+                             &w.f[i]);
+        told += judge_by_study(dim, round % 2 ? FMB_SIMD_AUTO : FMB_SIMD_PLAIN, WHOLE_PAIRS, w.f,
+                               w.f + WHOLE_PAIRS) /
+                16;
+        expect_open_verdicts(dim, WHOLE_PAIRS, w.f, w.f + WHOLE_PAIRS);
+    }
+    cr_expect_gt(told, 0.98, "%g", told);
+}
