@@ -92,7 +92,7 @@ with tempfile.TemporaryDirectory() as name:
     for zeros in (0, 0.5):
         ask(folder, points(9, 200, zeros, 999), "hull", ending="ext")
     for n, m, terms, kept in ((3, 20, 2, 2), (6, 8, 6, 5), (6, 20, 2, 3), (4, 20, 3, 3),
-                              (8, 8, 8, 1), (3, 8, 2, 1), (4, 8, 2, 2), (3, 8, 3, 2), (8, 18, 4, 5)):
+                              (8, 8, 8, 1), (3, 8, 2, 1), (4, 8, 2, 2), (3, 8, 3, 2), (5, 24, 2, 2), (7, 30, 5, 5)):
         ask(folder, system(n, m, terms), "project", *keep(kept))
     for method in ("dd", "hull", "fm"):
         ask(folder, small, "project", *keep(2), f"--method={method}")
