@@ -273,24 +273,48 @@ static void find_ends(const normal_search *x, const double *n, double end[2])
     }
 }
 
+/* The length of n >= 0: of a minor as small as 2^-944 (SHARE times LEAST) the square would be lost.
+ */
+static double length_of_doubles(const double *n, int dim)
+{
+    double top = 0, sum = 0;
+    int exponent;
+    for (int j = 0; j < dim; j++)
+        top = fmax(top, n[j]);
+    (void)frexp(top, &exponent);
+    for (int j = 0; j < dim; j++) {
+        double part = ldexp(n[j], -exponent);
+        sum += part * part;
+    }
+    return ldexp(sqrt(sum), exponent);
+}
+
+static double size_of_doubles(const normal_search *x, const double *n)
+{
+    double sum = 0;
+    if (x->norm == FMB_NORM_EUCLIDEAN)
+        return length_of_doubles(n, x->m->dim);
+    for (int j = 0; j < x->m->dim; j++)
+        sum += n[j];
+    return sum;
+}
+
 /* Bounds for overlap and size of the normal at hand, and whether it has no less than the best. */
 static bool is_surely_more(const normal_search *x, double *bound)
 {
     int dim = x->m->dim, all = (1 << dim) - 1;
-    double n[MOST] = {0}, end[2], off = LEAST, most = 0, least = 0;
-    bool square = x->norm == FMB_NORM_EUCLIDEAN;
+    double n[MOST] = {0}, up[MOST], down[MOST], end[2], off = LEAST;
     for (int j = 0; j < dim; j++) {
         double fuzz = SHARE * x->size[all & ~(1 << j)];
         n[j] = (j & 1 ? -1 : 1) * x->minor[all & ~(1 << j)];
-        double up = fabs(n[j]) + fuzz, down = fmax(fabs(n[j]) - fuzz, 0);
-        most += square ? up * up : up;
-        least += square ? down * down : down;
+        up[j] = fabs(n[j]) + fuzz;
+        down[j] = fmax(fabs(n[j]) - fuzz, 0);
         off += 2 * fuzz * x->weight[j];
     }
     find_ends(x, n, end);
     double overlap = fmin(end[1], -end[0]);
-    *bound = ABOVE * (fmax(overlap, 0) + off) / (square ? sqrt(least) : least);
-    return overlap - off > x->best * (square ? sqrt(most) : most);
+    *bound = ABOVE * (fmax(overlap, 0) + off) / size_of_doubles(x, down);
+    return overlap - off > x->best * size_of_doubles(x, up);
 }
 
 /* ---- overlaps in whole numbers --------------------------------------------------------------- */
