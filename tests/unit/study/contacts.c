@@ -176,3 +176,24 @@ Test(contacts, answers_of_the_library)
         }
     cr_expect(deep >= 50 && apart >= 50, "%ld deep, %ld apart", deep, apart);
 }
+
+/* Pairs whose least normals have squares that doubles cannot hold, as coordinates differ by 2^300
+ * and more; one of them had a depth that was too large by 2e-7. */
+Test(contacts, depths_where_squares_are_lost)
+{
+    static const uint64_t SEED = 20261126117, K[] = {24521, 24522, 24523, 24524, 24525};
+    const study_pair_plan plan = {.family = STUDY_PAIR_SPREAD,
+                                  .dim = 4,
+                                  .moves = true,
+                                  .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
+    open_judge(4);
+    for (size_t i = 0; i < sizeof K / sizeof *K; i++) {
+        study_pair pair;
+        bool said;
+        study_pair_draw(&plan, SEED, K[i], &pair);
+        const fmb_frame f[2] = {pair.q, pair.p};
+        must(validate_claim_ask(solver, f, &claim, &said));
+        cr_expect(said && is_accepted(f), "pair %d", (int)K[i]);
+    }
+    close_judge();
+}
