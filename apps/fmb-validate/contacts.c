@@ -280,17 +280,11 @@ static fmb_status add_fault(uint64_t k, study_tally *tally, study_findings *foun
     study_finding *f = NULL;
     for (size_t i = from; i < found->n; i++)
         f = found->item[i].k == k ? &found->item[i] : f;
-    if (!f && found->n == found->capacity) {
-        size_t more = 2 * found->capacity + 16;
-        study_finding *item = realloc(found->item, more * sizeof *item);
-        if (!item)
-            return FMB_ERR_MEMORY;
-        found->item = item;
-        found->capacity = more;
-    }
     if (!f) {
-        f = &found->item[found->n++];
-        *f = (study_finding){.k = k};
+        fmb_status st = study_findings_add(found, &(study_finding){.k = k});
+        if (st != FMB_OK)
+            return st;
+        f = &found->item[found->n - 1];
         tally->disagreeing++;
     }
     f->faults |= STUDY_FAULT_NEAR;

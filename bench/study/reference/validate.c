@@ -178,22 +178,27 @@ static void count(const study_validator *s, study_tally *t)
     }
 }
 
+fmb_status study_findings_add(study_findings *to, const study_finding *f)
+{
+    if (to->n == to->capacity) {
+        size_t more = 2 * to->capacity + 16;
+        study_finding *item = realloc(to->item, more * sizeof *item);
+        if (!item)
+            return FMB_ERR_MEMORY;
+        to->item = item;
+        to->capacity = more;
+    }
+    to->item[to->n++] = *f;
+    return FMB_OK;
+}
+
 static fmb_status note(const study_validator *s, uint64_t first, study_findings *out)
 {
-    for (size_t i = 0; i < s->pairs.n; i++) {
-        if (s->faults[i] == 0)
-            continue;
-        if (out->n == out->capacity) {
-            size_t more = 2 * out->capacity + 16;
-            study_finding *item = realloc(out->item, more * sizeof *item);
-            if (!item)
-                return FMB_ERR_MEMORY;
-            out->item = item;
-            out->capacity = more;
-        }
-        out->item[out->n++] = (study_finding){first + i, s->faults[i], s->verdicts[i]};
-    }
-    return FMB_OK;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; i < s->pairs.n && st == FMB_OK; i++)
+        if (s->faults[i] != 0)
+            st = study_findings_add(out, &(study_finding){first + i, s->faults[i], s->verdicts[i]});
+    return st;
 }
 
 /* Those chosen that meet move to the front; how many they are. */

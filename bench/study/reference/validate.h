@@ -53,6 +53,9 @@ typedef struct study_findings {
     size_t n, capacity;
 } study_findings;
 
+/* A copy of *f at the end. Errors: MEMORY. */
+fmb_status study_findings_add(study_findings *to, const study_finding *f);
+
 /* Workspace of one thread. */
 typedef struct study_validator study_validator;
 
