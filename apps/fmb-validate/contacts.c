@@ -25,7 +25,7 @@ struct validate_contacts {
     validate_difference m;
     validate_claim claim;
     mpq_t origin[MOST], axis[MOST * MOST], sum, part;
-    mpz_t whole[MOST], scale, reach;
+    mpz_t whole[MOST], scale, least, reach;
 };
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -72,7 +72,7 @@ static void init_numbers(validate_contacts *b)
     for (int i = 0; i < MOST * MOST; i++)
         mpq_init(b->axis[i]);
     mpq_inits(b->sum, b->part, NULL);
-    mpz_inits(b->scale, b->reach, NULL);
+    mpz_inits(b->scale, b->least, b->reach, NULL);
 }
 
 fmb_status validate_contacts_open(const study_validation *v, validate_contacts **out)
@@ -112,7 +112,7 @@ void validate_contacts_close(validate_contacts *b)
     for (int i = 0; i < MOST * MOST; i++)
         mpq_clear(b->axis[i]);
     mpq_clears(b->sum, b->part, NULL);
-    mpz_clears(b->scale, b->reach, NULL);
+    mpz_clears(b->scale, b->least, b->reach, NULL);
     free(b);
 }
 
@@ -156,9 +156,10 @@ static bool reaches_shift(validate_contacts *b, const validate_claim *c, int sig
     for (int j = 0; j < b->m.dim; j++) {
         mpz_divexact(b->whole[j], b->scale, mpq_denref(c->shift[j]));
         mpz_mul(b->whole[j], b->whole[j], mpq_numref(c->shift[j]));
+        mpz_mul_2exp(b->whole[j], b->whole[j], (mp_bitcnt_t)b->m.finer[j]);
         mpz_mul_si(b->whole[j], b->whole[j], sign);
     }
-    validate_reach(&b->m, b->whole, b->reach);
+    validate_ends(&b->m, b->whole, b->least, b->reach);
     mpq_set_z(b->sum, b->scale);
     mpq_mul(b->sum, b->sum, c->square);
     scale_by_power(b->sum, b->sum, b->m.unit);

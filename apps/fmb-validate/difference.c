@@ -6,6 +6,10 @@
  * four dimensions all choices are looked at. In more those edges of a face of a simplex are enough
  * that begin at its first corner: they span what all its edges span.
  *
+ * Each coordinate has its own unit, and what all numbers of an edge share of powers of 2 goes out
+ * of it: so whole numbers are short wherever doubles differ in size from frame to frame, or from
+ * one coordinate to the next. A normal n of these numbers is n_j / 2^finer_j in one unit.
+ *
  * Long doubles tell of most normals that they reach farther than what is claimed. Integers are as
  * good as their first 53 bits: within 2^-52. Let size be the sum of the products of a minor without
  * signs. Of less than eight factors, whose sums have at most eight terms, a minor is off by less
@@ -68,25 +72,38 @@ static double whole_part(double x, int *exponent)
     return whole;
 }
 
-static int lowest_unit(const double *x, int n, int unit)
+/* Of every step-th number. */
+static int lowest_unit(const double *x, int n, int step, int unit)
 {
     int exponent;
-    for (int i = 0; x && i < n; i++)
+    for (int i = 0; x && i < n; i += step)
         if (whole_part(x[i], &exponent) != 0 && exponent < unit)
             unit = exponent;
     return unit;
 }
 
-/* Add sign times x, which is a multiple of the unit. */
-static void add_double(const validate_difference *m, double x, int sign, mpz_t to)
+/* Add sign times x, a number of coordinate j. */
+static void add_double(const validate_difference *m, int j, double x, int sign, mpz_t to)
 {
     int exponent;
     mpz_t z;
     mpz_init_set_d(z, sign * whole_part(x, &exponent));
     if (mpz_sgn(z) != 0)
-        mpz_mul_2exp(z, z, (mp_bitcnt_t)(exponent - m->unit));
+        mpz_mul_2exp(z, z, (mp_bitcnt_t)(exponent - m->unit - m->finer[j]));
     mpz_add(to, to, z);
     mpz_clear(z);
+}
+
+/* A direction stays what it is without the powers of 2 that its numbers share. */
+static void shorten(const validate_difference *m, validate_edge *e)
+{
+    mp_bitcnt_t shared = ULONG_MAX;
+    for (int j = 0; j < m->dim; j++)
+        if (mpz_sgn(e->x[j]) != 0 && mpz_scan1(e->x[j], 0) < shared)
+            shared = mpz_scan1(e->x[j], 0);
+    for (int j = 0; j < m->dim; j++)
+        if (mpz_sgn(e->x[j]) != 0)
+            mpz_tdiv_q_2exp(e->x[j], e->x[j], shared);
 }
 
 /* An edge between two corners; 0 is the origin. */
@@ -100,6 +117,7 @@ static void add_edge(validate_difference *m, int side, int from, int to)
         if (from > 0)
             mpz_sub(e->x[j], e->x[j], m->axis[side][from - 1][j]);
     }
+    shorten(m, e);
 }
 
 static void list_edges(validate_difference *m)
@@ -115,6 +133,26 @@ static void list_edges(validate_difference *m)
     e->side = 2;
     for (int j = 0; j < m->dim; j++)
         mpz_set(e->x[j], m->drift[j]);
+    shorten(m, e);
+}
+
+/* Of all coordinates, and of each; 0 where there is nothing but zeros. */
+static void find_units(validate_difference *m, const fmb_frame *const f[2])
+{
+    int unit[MOST], dim = m->dim;
+    m->unit = INT_MAX;
+    for (int j = 0; j < dim; j++) {
+        unit[j] = INT_MAX;
+        for (int k = 0; k < 2; k++) {
+            unit[j] = lowest_unit(f[k]->origin + j, 1, 1, unit[j]);
+            unit[j] = lowest_unit(f[k]->axes + j, dim * f[k]->naxes - j, dim, unit[j]);
+            unit[j] = lowest_unit(f[k]->speed ? f[k]->speed + j : NULL, 1, 1, unit[j]);
+        }
+        m->unit = unit[j] < m->unit ? unit[j] : m->unit;
+    }
+    m->unit = m->unit == INT_MAX ? 0 : m->unit;
+    for (int j = 0; j < dim; j++)
+        m->finer[j] = unit[j] == INT_MAX ? 0 : unit[j] - m->unit;
 }
 
 void validate_difference_load(validate_difference *m, const fmb_frame *p, const fmb_frame *q)
@@ -122,25 +160,22 @@ void validate_difference_load(validate_difference *m, const fmb_frame *p, const 
     const fmb_frame *const f[2] = {p, q};
     m->dim = p->dim;
     m->moves = p->speed || q->speed;
-    m->unit = INT_MAX;
     for (int k = 0; k < 2; k++) {
         m->naxes[k] = f[k]->naxes;
         m->simplex[k] = f[k]->shape == FMB_SIMPLEX;
-        m->unit = lowest_unit(f[k]->origin, m->dim, m->unit);
-        m->unit = lowest_unit(f[k]->axes, m->dim * f[k]->naxes, m->unit);
-        m->unit = lowest_unit(f[k]->speed, m->dim, m->unit);
     }
+    find_units(m, f);
     for (int j = 0; j < m->dim; j++) {
         mpz_set_ui(m->away[j], 0);
         mpz_set_ui(m->drift[j], 0);
         for (int k = 0; k < 2; k++) {
             int sign = k == 0 ? 1 : -1;
-            add_double(m, f[k]->origin[j], sign, m->away[j]);
+            add_double(m, j, f[k]->origin[j], sign, m->away[j]);
             if (f[k]->speed)
-                add_double(m, f[k]->speed[j], sign, m->drift[j]);
+                add_double(m, j, f[k]->speed[j], sign, m->drift[j]);
             for (int i = 0; i < f[k]->naxes; i++) {
                 mpz_set_ui(m->axis[k][i][j], 0);
-                add_double(m, f[k]->axes[i * m->dim + j], sign, m->axis[k][i][j]);
+                add_double(m, j, f[k]->axes[i * m->dim + j], sign, m->axis[k][i][j]);
             }
         }
     }
@@ -156,26 +191,30 @@ static void dot(validate_difference *m, mpz_t *a, mpz_t *b, mpz_t out)
         mpz_addmul(out, a[j], b[j]);
 }
 
-void validate_reach(validate_difference *m, mpz_t *y, mpz_t out)
+void validate_ends(validate_difference *m, mpz_t *y, mpz_t least, mpz_t most)
 {
-    mpz_t most, part;
-    mpz_inits(most, part, NULL);
-    dot(m, m->away, y, out);
+    mpz_t span[2], part;
+    mpz_inits(span[0], span[1], part, NULL);
+    dot(m, m->away, y, most);
+    dot(m, m->drift, y, part);
+    mpz_set(least, most);
+    mpz_ptr end = mpz_sgn(part) > 0 ? most : least;
+    mpz_add(end, end, part);
     for (int k = 0; k < 2; k++) {
-        mpz_set_ui(most, 0);
+        mpz_set_ui(span[0], 0);
+        mpz_set_ui(span[1], 0);
         for (int i = 0; i < m->naxes[k]; i++) {
             dot(m, m->axis[k][i], y, part);
-            if (mpz_sgn(part) > 0 && !m->simplex[k])
-                mpz_add(most, most, part);
-            else if (mpz_cmp(part, most) > 0)
-                mpz_set(most, part);
+            mpz_ptr way = span[mpz_sgn(part) > 0];
+            if (!m->simplex[k])
+                mpz_add(way, way, part);
+            else if (mpz_cmpabs(part, way) > 0)
+                mpz_set(way, part);
         }
-        mpz_add(out, out, most);
+        mpz_add(least, least, span[0]);
+        mpz_add(most, most, span[1]);
     }
-    dot(m, m->drift, y, part);
-    if (mpz_sgn(part) > 0)
-        mpz_add(out, out, part);
-    mpz_clears(most, part, NULL);
+    mpz_clears(span[0], span[1], part, NULL);
 }
 
 /* ---- normals --------------------------------------------------------------------------------- */
@@ -189,9 +228,10 @@ typedef struct search {
     long double edge[VALIDATE_MOST_EDGES][MOST];
     long double minor[1 << MOST], size[1 << MOST]; /* of the edges chosen, by sets of coordinates */
     mpz_t table[MOST][MOST];                       /* [dim - 1][dim] */
-    mpz_t normal[MOST], reach, norm;
-    mpq_t ratio;
+    mpz_t normal[MOST], reach, norm, part;
+    int coarsest;
     bool any, equal, less; /* normals: that are not 0; that reach as far as is claimed; less far */
+    bool told;             /* nothing more is to be learnt */
 } search;
 
 static long double nearly(const mpz_t z)
@@ -284,7 +324,8 @@ static bool reaches_farther(const search *s)
     for (int j = 0; j < s->m->dim; j++) {
         long double fuzz = SHARE * s->size[all ^ 1 << j];
         n[j] = (j % 2 ? -1 : 1) * s->minor[all ^ 1 << j];
-        norm += (fabsl(n[j]) + fuzz) * (fabsl(n[j]) + fuzz);
+        long double length = ldexpl(fabsl(n[j]) + fuzz, -s->m->finer[j]);
+        norm += length * length;
         off += 2 * fuzz * s->weight[j];
     }
     find_ends(s, n, end);
@@ -348,19 +389,41 @@ static bool find_normal(search *s)
     return true;
 }
 
-/* reach / |n| beside what is claimed. */
+/* The square of the length of the normal, in one unit and times 4^coarsest. */
+static void measure_normal(search *s)
+{
+    mpz_set_ui(s->norm, 0);
+    for (int j = 0; j < s->m->dim; j++) {
+        mpz_mul(s->part, s->normal[j], s->normal[j]);
+        mpz_mul_2exp(s->part, s->part, 2 * (mp_bitcnt_t)(s->coarsest - s->m->finer[j]));
+        mpz_add(s->norm, s->norm, s->part);
+    }
+}
+
+/* reach / |n|, there or back, beside what is claimed. */
 static void compare_reach(search *s)
 {
-    validate_reach(s->m, s->normal, s->reach);
-    dot(s->m, s->normal, s->normal, s->norm);
-    mpz_mul(mpq_numref(s->ratio), s->reach, s->reach);
-    mpz_set(mpq_denref(s->ratio), s->norm);
-    mpq_canonicalize(s->ratio);
-    int order = mpz_sgn(s->reach) < 0 ? -1 : mpq_cmp(s->ratio, s->square);
+    validate_ends(s->m, s->normal, s->part, s->reach);
+    mpz_neg(s->part, s->part);
+    if (mpz_cmp(s->part, s->reach) < 0)
+        mpz_swap(s->part, s->reach);
+    int order = mpz_sgn(s->reach);
+    if (order > 0) {
+        mpz_mul(s->reach, s->reach, s->reach);
+        mpz_mul_2exp(s->reach, s->reach, 2 * (mp_bitcnt_t)s->coarsest);
+        mpz_mul(s->reach, s->reach, mpq_denref(s->square));
+        measure_normal(s);
+        mpz_mul(s->norm, s->norm, mpq_numref(s->square));
+        order = mpz_cmp(s->reach, s->norm);
+    } else if (order == 0) {
+        order = -mpq_sgn(s->square);
+    }
     s->equal |= order == 0;
     s->less |= order < 0;
 }
 
+/* As 0 is in M no normal reaches less far than 0: if that is claimed then one that does is enough.
+ */
 static void look_at_normal(search *s)
 {
     if (reaches_farther(s)) {
@@ -371,9 +434,7 @@ static void look_at_normal(search *s)
         return;
     s->any = true;
     compare_reach(s);
-    for (int j = 0; j < s->m->dim; j++)
-        mpz_neg(s->normal[j], s->normal[j]);
-    compare_reach(s);
+    s->told = s->less || (s->equal && mpq_sgn(s->square) == 0);
 }
 
 static void choose(search *s, int level, int from)
@@ -383,7 +444,7 @@ static void choose(search *s, int level, int from)
         return;
     }
     const validate_edge *last = level > 0 ? &s->m->edge[s->chosen[level - 1]] : NULL;
-    for (int i = from; i < s->m->edges && !s->less; i++) {
+    for (int i = from; i < s->m->edges && !s->told; i++) {
         const validate_edge *next = &s->m->edge[i];
         if (s->m->dim > 4 && last && last->side == next->side && last->corner != next->corner)
             continue;
@@ -404,8 +465,9 @@ bool validate_depth_is(validate_difference *m, const mpq_t square)
         for (int j = 0; j < MOST; j++)
             mpz_init(s.table[i][j]);
     }
-    mpz_inits(s.reach, s.norm, NULL);
-    mpq_init(s.ratio);
+    mpz_inits(s.reach, s.norm, s.part, NULL);
+    for (int j = 0; j < m->dim; j++)
+        s.coarsest = m->finer[j] > s.coarsest ? m->finer[j] : s.coarsest;
     read_long_doubles(&s);
     list_sets(&s);
     choose(&s, 0, 0);
@@ -414,7 +476,6 @@ bool validate_depth_is(validate_difference *m, const mpq_t square)
         for (int j = 0; j < MOST; j++)
             mpz_clear(s.table[i][j]);
     }
-    mpz_clears(s.reach, s.norm, NULL);
-    mpq_clear(s.ratio);
+    mpz_clears(s.reach, s.norm, s.part, NULL);
     return !s.less && (s.any ? s.equal : mpq_sgn(square) == 0);
 }

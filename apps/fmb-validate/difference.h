@@ -20,9 +20,10 @@ typedef struct validate_edge {
 
 /* M = { p - q: points of P and Q at one time } = away + S0 + S1 + [0, 1] drift, S of a cuboid the
  * sums of shares of its axes, of a simplex the hull of 0 and its axes; those of Q are negated. Real
- * numbers are these times 2^unit. */
+ * numbers are those of coordinate j times 2^(unit + finer[j]), but for edges, which may be shorter.
+ */
 typedef struct validate_difference {
-    int dim, unit, naxes[2], edges;
+    int dim, unit, finer[VALIDATE_MOST_DIM], naxes[2], edges;
     bool simplex[2], moves;
     mpz_t away[VALIDATE_MOST_DIM], drift[VALIDATE_MOST_DIM];
     mpz_t axis[2][VALIDATE_MOST_DIM][VALIDATE_MOST_DIM];
@@ -34,11 +35,11 @@ void validate_difference_clear(validate_difference *m);
 /* Cuboids and simplices by edges, dim <= VALIDATE_MOST_DIM, of finite numbers. */
 void validate_difference_load(validate_difference *m, const fmb_frame *p, const fmb_frame *q);
 
-/* The largest value of y.m over all m of M. */
-void validate_reach(validate_difference *m, mpz_t *y, mpz_t out);
+/* The least and the largest value of y.m over all m of M, whose numbers are as they are here. */
+void validate_ends(validate_difference *m, mpz_t *y, mpz_t least, mpz_t most);
 
-/* Where 0 is in M: is the square of its distance from the boundary of M, in these units, that? If M
- * has no interior it is all boundary. */
+/* Where 0 is in M: is the square of its distance from the boundary of M, times 2^-(2 unit), that?
+ * If M has no interior it is all boundary. */
 bool validate_depth_is(validate_difference *m, const mpq_t square);
 
 #endif

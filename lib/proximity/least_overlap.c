@@ -10,13 +10,16 @@
  * after the other, so that choices that begin alike share minors, in doubles first: only where
  * these do not tell that the overlap is larger than the least one known are whole numbers asked.
  *
- * Doubles are scaled so that none is larger than 1. Let size(S) be the sum of all products that
- * make up the minor of rows S, without signs, and 2^-900. A number read differs from the exact one
- * by 2^-52 of itself, or by 2^-1074; a minor of k <= 7 rows sums k products; so each level adds
- * less than (k + 4) 2^-52 size(S) to the error, all of them less than 2^-46 size(S), and SHARE is
- * four times that. The overlap is a sum of less than 30 products of coordinates of the normal and
- * numbers of the frames, whose sum without signs is `weight`; twice SHARE bounds what they are off
- * by. The surplus is far more than these bounds themselves are rounded by.
+ * Numbers are short where they can be: what all share of a coordinate is no part of it, and what
+ * all numbers of a direction share is no part of that one. In doubles each direction is scaled so
+ * that none of its numbers is larger than 1, and has its length beside it. Let size(S) be the sum
+ * of all products that make up the minor of rows S, without signs, and 2^-900. A number read
+ * differs from the exact one by 2^-52 of itself, or by 2^-1074; a minor of k <= 7 rows sums k
+ * products; so each level adds less than (k + 4) 2^-52 size(S) to the error, all of them less than
+ * 2^-46 size(S), and SHARE is four times that. The overlap is a sum of less than 30 products of
+ * coordinates of the normal and numbers of the frames, whose sum without signs is `weight`; twice
+ * SHARE bounds what they are off by. The surplus is far more than these bounds themselves are
+ * rounded by.
  */
 #include "proximity/least_overlap.h"
 
@@ -38,8 +41,10 @@ enum {
  * group, those of a simplex that start at one corner. Those of Q are negated. */
 typedef struct direction {
     int side, group; /* side 2: the drift; 3: the world */
-    mpz_t *exact;    /* [dim] */
-    double x[MOST];  /* scaled */
+    mpz_t *exact;    /* [dim] times 2^-power */
+    double x[MOST];  /* the same scaled ... */
+    double length;   /* ... by this share of the largest direction, or of `away` */
+    mp_bitcnt_t power;
 } direction;
 
 /* P, Q and the drift: M is `away` and a point of each, which is a sum of shares of its axes, of a
@@ -57,6 +62,8 @@ typedef struct normal_search {
     int directions; /* without those of the world, which follow */
     direction direction[MOST_DIRECTIONS];
     summand of[3];
+    mp_bitcnt_t unit[MOST], coarsest; /* coordinate j is 2^unit[j] as long as it is here */
+    double share[MOST];               /* that of a normal is so many of the longest there can be */
     int chosen[MOST];
     double minor[SETS], size[SETS];  /* of the directions chosen: a set of k rows is about k */
     mpz_t *exact;                    /* [sets] the same minors in whole numbers ... */
@@ -90,7 +97,7 @@ void fmb_least_overlap_clear(fmb_least_overlap *x)
 static direction *add_direction(normal_search *x, int side, int group)
 {
     direction *d = &x->direction[x->directions];
-    *d = (direction){side, group, x->cell + x->directions * x->m->dim, {0}};
+    *d = (direction){.side = side, .group = group, .exact = x->cell + x->directions * x->m->dim};
     x->directions++;
     return d;
 }
@@ -131,29 +138,67 @@ static void add_directions(normal_search *x)
     x->directions = ours;
 }
 
-static double scaled(const mpz_t z, long top)
+/* What all numbers of a direction share of powers of 2 goes out of it. */
+static void shorten(normal_search *x, direction *d)
+{
+    mpz_set_ui(x->t, 0);
+    for (int j = 0; j < x->m->dim; j++)
+        mpz_ior(x->t, x->t, d->exact[j]);
+    d->power = mpz_sgn(x->t) == 0 ? 0 : mpz_scan1(x->t, 0);
+    for (int j = 0; j < x->m->dim; j++)
+        mpz_tdiv_q_2exp(d->exact[j], d->exact[j], d->power);
+}
+
+static size_t most_bits(mpz_t *v, int dim)
+{
+    size_t most = 1;
+    for (int j = 0; j < dim; j++) {
+        size_t bits = mpz_sizeinbase(v[j], 2);
+        most = bits > most ? bits : most;
+    }
+    return most;
+}
+
+/* 0 where doubles end */
+static double power_of_two(long exponent)
+{
+    return exponent < -1100 ? 0 : ldexp(1, (int)exponent);
+}
+
+static double scaled(const mpz_t z, size_t top)
 {
     long exponent;
     double x = mpz_get_d_2exp(&exponent, z);
-    return exponent - top < -1100 ? 0 : ldexp(x, (int)(exponent - top));
+    return x * power_of_two(exponent - (long)top);
 }
 
-/* The doubles of all numbers, times one power of 2. */
+/* The doubles of all numbers. */
 static void scale_numbers(normal_search *x)
 {
-    size_t top = 1;
-    for (int i = -1; i < x->directions; i++)
-        for (int j = 0; j < x->m->dim; j++) {
-            size_t bits = mpz_sizeinbase(i < 0 ? x->away[j] : x->direction[i].exact[j], 2);
-            top = bits > top ? bits : top;
-        }
-    for (int j = 0; j < x->m->dim; j++) {
-        x->near[j] = scaled(x->away[j], (long)top);
+    int dim = x->m->dim;
+    size_t bits[MOST_DIRECTIONS], top = most_bits(x->away, dim);
+    mp_bitcnt_t finest = x->unit[0];
+    for (int j = 0; j < dim; j++) {
+        x->coarsest = x->unit[j] > x->coarsest ? x->unit[j] : x->coarsest;
+        finest = x->unit[j] < finest ? x->unit[j] : finest;
+    }
+    for (int i = 0; i < x->directions; i++) {
+        shorten(x, &x->direction[i]);
+        bits[i] = most_bits(x->direction[i].exact, dim);
+        if (bits[i] + x->direction[i].power > top)
+            top = bits[i] + x->direction[i].power;
+    }
+    for (int j = 0; j < dim; j++) {
+        x->near[j] = scaled(x->away[j], top);
         x->weight[j] = fabs(x->near[j]);
-        for (int i = 0; i < x->directions; i++) {
-            direction *d = &x->direction[i];
-            d->x[j] = scaled(d->exact[j], (long)top);
-            x->weight[j] += d->group == 0 ? fabs(d->x[j]) : 0;
+        x->share[j] = power_of_two((long)finest - (long)x->unit[j]);
+    }
+    for (direction *d = x->direction; d < x->direction + x->directions; d++) {
+        size_t most = bits[d - x->direction];
+        d->length = power_of_two((long)(most + d->power) - (long)top);
+        for (int j = 0; j < dim; j++) {
+            d->x[j] = scaled(d->exact[j], most);
+            x->weight[j] += d->group == 0 ? d->length * fabs(d->x[j]) : 0;
         }
     }
 }
@@ -172,6 +217,7 @@ static fmb_status open_search(normal_search *x)
     x->exact = x->cell + edges * dim;
     x->away = x->exact - dim;
     x->best = INFINITY;
+    fmb_minkowski_shorten(x->m, x->unit);
     add_directions(x);
     scale_numbers(x);
     x->minor[0] = x->size[0] = 1;
@@ -265,7 +311,8 @@ static void find_ends(const normal_search *x, const double *n, double end[2])
     for (const summand *f = x->of; f < x->of + 3; f++) {
         double span[2] = {0, 0};
         for (int i = 0; i < f->axes; i++) {
-            double at = along(n, x->direction[f->first + i].x), *most = &span[at > 0];
+            const direction *d = &x->direction[f->first + i];
+            double at = along(n, d->x) * d->length, *most = &span[at > 0];
             *most = !f->simplex ? *most + at : fabs(at) > fabs(*most) ? at : *most;
         }
         end[0] += span[0];
@@ -307,8 +354,8 @@ static bool is_surely_more(const normal_search *x, double *bound)
     for (int j = 0; j < dim; j++) {
         double fuzz = SHARE * x->size[all & ~(1 << j)];
         n[j] = (j & 1 ? -1 : 1) * x->minor[all & ~(1 << j)];
-        up[j] = fabs(n[j]) + fuzz;
-        down[j] = fmax(fabs(n[j]) - fuzz, 0);
+        up[j] = (fabs(n[j]) + fuzz) * x->share[j];
+        down[j] = fmax(fabs(n[j]) - fuzz, 0) * x->share[j];
         off += 2 * fuzz * x->weight[j];
     }
     find_ends(x, n, end);
@@ -319,35 +366,23 @@ static bool is_surely_more(const normal_search *x, double *bound)
 
 /* ---- overlaps in whole numbers --------------------------------------------------------------- */
 
-static void measure_normal(normal_search *x)
+/* What M spans along the normal at hand; the overlap is the smaller way from 0 out of it, and the
+ * normal is turned to where that leads. */
+static void measure_overlap(normal_search *x)
 {
     fmb_least_overlap *n = &x->at;
     int all = (1 << x->m->dim) - 1;
     for (int j = 0; j < x->m->dim; j++)
         (j & 1 ? mpz_neg : mpz_set)(n->normal[j], x->exact[all & ~(1 << j)]);
-    if (x->norm == FMB_NORM_EUCLIDEAN) {
-        fmb_minkowski_dot(x->m, n->normal, n->normal, n->size);
-        return;
-    }
-    mpz_set_ui(n->size, 0);
-    for (int j = 0; j < x->m->dim; j++) {
-        mpz_abs(x->t, n->normal[j]);
-        mpz_add(n->size, n->size, x->t);
-    }
-}
-
-/* What M spans along the normal; the overlap is the smaller way from 0 out of it, and the normal is
- * turned to where that leads. */
-static void measure_overlap(normal_search *x)
-{
-    fmb_least_overlap *n = &x->at;
     fmb_minkowski_dot(x->m, n->normal, x->away, x->low);
     mpz_set(x->high, x->low);
     for (const summand *f = x->of; f < x->of + 3; f++) {
         mpz_set_ui(x->span[0], 0);
         mpz_set_ui(x->span[1], 0);
         for (int i = 0; i < f->axes; i++) {
-            fmb_minkowski_dot(x->m, n->normal, x->direction[f->first + i].exact, x->t);
+            const direction *d = &x->direction[f->first + i];
+            fmb_minkowski_dot(x->m, n->normal, d->exact, x->t);
+            mpz_mul_2exp(x->t, x->t, d->power);
             mpz_ptr most = x->span[mpz_sgn(x->t) > 0];
             if (!f->simplex)
                 mpz_add(most, most, x->t);
@@ -359,9 +394,26 @@ static void measure_overlap(normal_search *x)
     }
     mpz_neg(x->low, x->low);
     bool back = mpz_cmp(x->low, x->high) < 0;
-    mpz_set(n->overlap, back ? x->low : x->high);
+    mpz_mul_2exp(n->overlap, back ? x->low : x->high, x->coarsest);
     for (int j = 0; back && j < x->m->dim; j++)
         mpz_neg(n->normal[j], n->normal[j]);
+}
+
+/* The normal at hand, as it is in the units of the space. */
+static void measure_normal(normal_search *x)
+{
+    fmb_least_overlap *n = &x->at;
+    for (int j = 0; j < x->m->dim; j++)
+        mpz_mul_2exp(n->normal[j], n->normal[j], x->coarsest - x->unit[j]);
+    if (x->norm == FMB_NORM_EUCLIDEAN) {
+        fmb_minkowski_dot(x->m, n->normal, n->normal, n->size);
+        return;
+    }
+    mpz_set_ui(n->size, 0);
+    for (int j = 0; j < x->m->dim; j++) {
+        mpz_abs(x->t, n->normal[j]);
+        mpz_add(n->size, n->size, x->t);
+    }
 }
 
 /* Is what is at hand less than the least? Neither is less than 0, but where that decides. */
@@ -397,8 +449,8 @@ static fmb_status look_at_normal(normal_search *x, fmb_least_overlap *out)
         return FMB_OK;
     while (x->known < x->m->dim - 1)
         find_exact_minors(x, x->known);
-    measure_normal(x);
     measure_overlap(x);
+    measure_normal(x);
     x->at.found = true;
     if (is_less(x, out)) {
         swap_overlaps(&x->at, out);
@@ -407,14 +459,20 @@ static fmb_status look_at_normal(normal_search *x, fmb_least_overlap *out)
     return fmb_run_poll(x->run);
 }
 
-/* All choices that go on from the first `level`. Frames that are apart are known to be. */
+/* Is 0 known not to be inside of M? Then no other normal tells more. */
+static bool is_on_boundary(const fmb_least_overlap *x)
+{
+    return x->found && mpz_sgn(x->overlap) <= 0;
+}
+
+/* All choices that go on from the first `level`. */
 static fmb_status choose(normal_search *x, int level, int from, fmb_least_overlap *out)
 {
     fmb_status st = fmb_run_poll(x->run);
     if (level == x->m->dim - 1)
         return st == FMB_OK ? look_at_normal(x, out) : st;
     const direction *last = level > 0 ? &x->direction[x->chosen[level - 1]] : NULL;
-    for (int i = from; st == FMB_OK && i < x->directions && mpz_sgn(out->overlap) >= 0; i++) {
+    for (int i = from; st == FMB_OK && i < x->directions && !is_on_boundary(out); i++) {
         const direction *next = &x->direction[i];
         if (last && last->side == next->side && last->group != next->group)
             continue;
@@ -435,6 +493,7 @@ static void take_any_normal(normal_search *x, fmb_least_overlap *out)
         x->chosen[level] = i;
         level += !find_exact_minors(x, level);
     }
+    measure_overlap(x);
     measure_normal(x);
     swap_overlaps(&x->at, out);
     out->found = false;

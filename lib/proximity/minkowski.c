@@ -78,6 +78,19 @@ void fmb_minkowski_clear(fmb_minkowski *m)
         mpz_clear(m->t[k]);
 }
 
+void fmb_minkowski_shorten(fmb_minkowski *m, mp_bitcnt_t *by)
+{
+    size_t dim = (size_t)m->dim;
+    for (size_t j = 0; j < dim; j++) {
+        mpz_set_ui(m->t[0], 0); /* the bits of all numbers: the lowest of them is wanted */
+        for (size_t i = j; i < m->cells; i += dim)
+            mpz_ior(m->t[0], m->t[0], m->cell[i]);
+        by[j] = mpz_sgn(m->t[0]) == 0 ? 0 : mpz_scan1(m->t[0], 0);
+        for (size_t i = j; i < m->cells; i += dim)
+            mpz_tdiv_q_2exp(m->cell[i], m->cell[i], by[j]);
+    }
+}
+
 /* ---- its lowest vertex ----------------------------------------------------------------------- */
 
 void fmb_minkowski_dot(const fmb_minkowski *m, mpz_t *a, mpz_t *b, mpz_t out)

@@ -37,6 +37,10 @@ typedef struct fmb_minkowski {
 fmb_status fmb_minkowski_init(fmb_minkowski *m, const fmb_two *two, fmb_mem *mem);
 void fmb_minkowski_clear(fmb_minkowski *m);
 
+/* Divide coordinate j of all rows by 2^by[j], the largest power of 2 that divides them. Whether 0
+ * is in M stays; distances and normals are those of a space whose axes have other units. */
+void fmb_minkowski_shorten(fmb_minkowski *m, mp_bitcnt_t *by);
+
 /* A vertex of M, as [FMB_VERTEX_ROWS][dim] numbers: itself, the points at rest of P and of Q that
  * it comes from, and the time (0 or 1) in the first place of the last row. */
 enum { FMB_VERTEX_ROWS = 4 };
