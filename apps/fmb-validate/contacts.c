@@ -1,9 +1,10 @@
 /* contacts.c: see contacts.h.
  *
  * Frames that meet: their verdict is proved by a certificate (study/reference/proofs.h), their
- * depth by the facets of M. Frames that are apart: two points at one time, each in its frame by
- * evidence that fmb_check accepts, show that M comes as near as their difference; and no point of M
- * is on the near side of the plane through it, at right angles to it.
+ * depth by the facets of M. Frames that are apart: two points at one time, each in its frame by its
+ * shares of the axes, or where these depend on each other by evidence that fmb_check accepts, show
+ * that M comes as near as their difference; and no point of M is on the near side of the plane
+ * through it, at right angles to it.
  */
 #include "fmb-validate/contacts.h"
 
@@ -14,6 +15,7 @@
 #include <fmb/solve.h>
 
 #include "fmb-validate/watch.h"
+#include "study/reference/equations.h"
 #include "study/reference/proofs.h"
 
 enum { MOST = VALIDATE_MOST_DIM };
@@ -26,6 +28,7 @@ struct validate_contacts {
     validate_claim claim;
     mpq_t origin[MOST], axis[MOST * MOST], sum, part;
     mpz_t whole[MOST], scale, least, reach;
+    study_equations shares;
 };
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -65,6 +68,7 @@ static void init_numbers(validate_contacts *b)
 {
     validate_difference_init(&b->m);
     validate_claim_init(&b->claim);
+    study_equations_init(&b->shares);
     for (int j = 0; j < MOST; j++) {
         mpq_init(b->origin[j]);
         mpz_init(b->whole[j]);
@@ -105,6 +109,7 @@ void validate_contacts_close(validate_contacts *b)
     study_proofs_close(b->proofs);
     validate_difference_clear(&b->m);
     validate_claim_clear(&b->claim);
+    study_equations_clear(&b->shares);
     for (int j = 0; j < MOST; j++) {
         mpq_clear(b->origin[j]);
         mpz_clear(b->whole[j]);
@@ -187,9 +192,37 @@ static fmb_status judge_depth(validate_contacts *b, const fmb_frame *f, const va
 
 /* ---- frames that are apart ------------------------------------------------------------------- */
 
-/* Is there evidence for a point of frame k at that time? */
-static fmb_status is_point_of(validate_contacts *b, const fmb_frame *f, const validate_claim *c,
-                              int k, bool *good)
+/* Is the point that b->origin, the corner where frame k is then, reaches by shares of its axes one
+ * of the frame? Only if these are independent, and span the space, *good says so. */
+static bool has_shares(validate_contacts *b, const fmb_frame *f, const validate_claim *c, int k,
+                       bool *good)
+{
+    int dim = f->dim;
+    study_equations *e = &b->shares;
+    if (f->naxes != dim)
+        return false;
+    for (int j = 0; j < dim; j++) {
+        mpq_sub(b->part, c->point[k][j], b->origin[j]);
+        scale_by_power(b->part, b->part, b->m.unit + b->m.finer[j]);
+        for (int i = 0; i < dim; i++)
+            mpz_mul(e->a[j][i], b->m.axis[k][i][j], mpq_denref(b->part));
+        mpz_mul_si(e->a[j][dim], mpq_numref(b->part), k == 0 ? 1 : -1);
+    }
+    if (!study_equations_solve(e, dim))
+        return false;
+    *good = true;
+    mpz_set_ui(b->scale, 0);
+    for (int i = 0; i < dim; i++) {
+        *good &= mpz_sgn(e->x[i]) >= 0 && mpz_cmp(e->x[i], e->divisor) <= 0;
+        mpz_add(b->scale, b->scale, e->x[i]);
+    }
+    *good &= f->shape == FMB_CUBOID || mpz_cmp(b->scale, e->divisor) <= 0;
+    return true;
+}
+
+/* Is there evidence for a point of frame k, whose corner is b->origin? */
+static fmb_status has_evidence(validate_contacts *b, const fmb_frame *f, const validate_claim *c,
+                               int k, bool *good)
 {
     mpq_t *x = (mpq_t *)c->point[k];
     fmb_system *rows = NULL;
@@ -198,12 +231,6 @@ static fmb_status is_point_of(validate_contacts *b, const fmb_frame *f, const va
     fmb_judgement j = {.size = sizeof j};
     for (int i = 0; i < f->naxes * f->dim; i++)
         mpq_set_d(b->axis[i], f->axes[i]);
-    for (int i = 0; i < f->dim; i++) {
-        mpq_set_d(b->origin[i], f->origin[i]);
-        mpq_set_d(b->part, f->speed ? f->speed[i] : 0);
-        mpq_mul(b->part, b->part, c->time);
-        mpq_add(b->origin[i], b->origin[i], b->part);
-    }
     const fmb_frame_q both[2] = {{f->shape, f->dim, f->naxes, b->origin, b->axis, NULL},
                                  {FMB_CUBOID, f->dim, 0, x, NULL, NULL}};
     fmb_status st =
@@ -218,6 +245,19 @@ static fmb_status is_point_of(validate_contacts *b, const fmb_frame *f, const va
     fmb_evidence_free(e);
     fmb_system_free(rows);
     return st;
+}
+
+/* Is it a point of frame k at that time? */
+static fmb_status is_point_of(validate_contacts *b, const fmb_frame *f, const validate_claim *c,
+                              int k, bool *good)
+{
+    for (int i = 0; i < f->dim; i++) {
+        mpq_set_d(b->origin[i], f->origin[i]);
+        mpq_set_d(b->part, f->speed ? f->speed[i] : 0);
+        mpq_mul(b->part, b->part, c->time);
+        mpq_add(b->origin[i], b->origin[i], b->part);
+    }
+    return has_shares(b, f, c, k, good) ? FMB_OK : has_evidence(b, f, c, k, good);
 }
 
 static fmb_status judge_distance(validate_contacts *b, const fmb_frame *f, const validate_claim *c,

@@ -22,6 +22,8 @@
 #include <limits.h>
 #include <math.h>
 
+#include "study/reference/certificate.h"
+
 #define SHARE 0x1p-44L
 
 enum { MOST = VALIDATE_MOST_DIM };
@@ -62,32 +64,27 @@ void validate_difference_clear(validate_difference *m)
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
-/* x = whole 2^exponent, whole odd or 0. */
-static double whole_part(double x, int *exponent)
-{
-    double whole = ldexp(frexp(x, exponent), DBL_MANT_DIG);
-    *exponent -= DBL_MANT_DIG;
-    for (; whole != 0 && fmod(whole, 2) == 0; whole /= 2)
-        ++*exponent;
-    return whole;
-}
-
 /* Of every step-th number. */
 static int lowest_unit(const double *x, int n, int step, int unit)
 {
-    int exponent;
-    for (int i = 0; x && i < n; i += step)
-        if (whole_part(x[i], &exponent) != 0 && exponent < unit)
+    for (int i = 0; x && i < n; i += step) {
+        double whole;
+        int exponent;
+        study_split(x[i], &whole, &exponent);
+        if (whole != 0 && exponent < unit)
             unit = exponent;
+    }
     return unit;
 }
 
 /* Add sign times x, a number of coordinate j. */
 static void add_double(const validate_difference *m, int j, double x, int sign, mpz_t to)
 {
+    double whole;
     int exponent;
     mpz_t z;
-    mpz_init_set_d(z, sign * whole_part(x, &exponent));
+    study_split(x, &whole, &exponent);
+    mpz_init_set_d(z, sign * whole);
     if (mpz_sgn(z) != 0)
         mpz_mul_2exp(z, z, (mp_bitcnt_t)(exponent - m->unit - m->finer[j]));
     mpz_add(to, to, z);
@@ -227,7 +224,9 @@ typedef struct search {
     long double away[MOST], axis[2][MOST][MOST], drift[MOST], weight[MOST];
     long double edge[VALIDATE_MOST_EDGES][MOST];
     long double minor[1 << MOST], size[1 << MOST]; /* of the edges chosen, by sets of coordinates */
-    mpz_t table[MOST][MOST];                       /* [dim - 1][dim] */
+    mpz_t table[MOST][MOST]; /* [rows][dim] of the edges chosen first, in whole numbers */
+    int rows, pivot[MOST],
+        is_pivot[MOST]; /* columns; the row whose pivot is there, from 1 on, or 0 */
     mpz_t normal[MOST], reach, norm, part;
     int coarsest;
     bool any, equal, less; /* normals: that are not 0; that reach as far as is claimed; less far */
@@ -335,57 +334,61 @@ static bool reaches_farther(const search *s)
 
 /* ---- the same in whole numbers --------------------------------------------------------------- */
 
-/* Row i of the table, whose pivot is in that column, goes into all others; what they have in common
- * then, the pivot before, goes out of them (E. H. Bareiss). */
-static void clear_column(search *s, int i, int column, const mpz_t before)
+/* Row `level` of the table: the edge chosen there without what the rows before it have in their
+ * pivots' columns; what it has in common with them then, the pivot before, goes out of it (E. H.
+ * Bareiss). Its pivot is the first number that is left; false if none is: edges are dependent. */
+static bool add_row(search *s, int level)
 {
-    int dim = s->m->dim;
-    for (int k = 0; k < dim - 1; k++) {
-        if (k == i)
-            continue;
-        mpz_set(s->reach, s->table[k][column]);
+    int dim = s->m->dim, column = 0;
+    mpz_t *row = s->table[level];
+    for (int j = 0; j < dim; j++)
+        mpz_set(row[j], s->m->edge[s->chosen[level]].x[j]);
+    for (int i = 0; i < level; i++) {
+        mpz_set(s->part, row[s->pivot[i]]);
         for (int j = 0; j < dim; j++) {
-            mpz_mul(s->table[k][j], s->table[k][j], s->table[i][column]);
-            mpz_submul(s->table[k][j], s->reach, s->table[i][j]);
-            mpz_divexact(s->table[k][j], s->table[k][j], before);
+            if (s->is_pivot[j] && s->is_pivot[j] <= i + 1)
+                continue;
+            mpz_mul(row[j], row[j], s->table[i][s->pivot[i]]);
+            mpz_submul(row[j], s->part, s->table[i][j]);
+            if (i > 0)
+                mpz_divexact(row[j], row[j], s->table[i - 1][s->pivot[i - 1]]);
         }
     }
+    while (column < dim && (s->is_pivot[column] || mpz_sgn(row[column]) == 0))
+        column++;
+    if (column == dim)
+        return false;
+    s->pivot[level] = column;
+    s->is_pivot[column] = level + 1;
+    return true;
 }
 
-/* A row from i on goes to place i that is not 0 in that column; false if none is. */
-static bool find_pivot(search *s, int i, int column)
+/* The rows of edges that are no longer chosen are none. */
+static void forget_rows(search *s, int level)
 {
-    int row = i;
-    while (row < s->m->dim - 1 && mpz_sgn(s->table[row][column]) == 0)
-        row++;
-    for (int j = 0; row < s->m->dim - 1 && row != i && j < s->m->dim; j++)
-        mpz_swap(s->table[i][j], s->table[row][j]);
-    return row < s->m->dim - 1;
+    while (s->rows > level)
+        s->is_pivot[s->pivot[--s->rows]] = 0;
 }
 
-/* After elimination all pivots are the same number, and one column has none: there the normal is
- * that number, and elsewhere what the row of the pivot makes it. False if edges are dependent. */
+/* Where no pivot is the normal is the last pivot, a minor; so all its numbers are whole, and follow
+ * from the rows, the last one first. False if edges are dependent. */
 static bool find_normal(search *s)
 {
-    int dim = s->m->dim, without = -1;
-    mpz_set_ui(s->norm, 1);
-    for (int i = 0; i < dim - 1; i++)
-        for (int j = 0; j < dim; j++)
-            mpz_set(s->table[i][j], s->m->edge[s->chosen[i]].x[j]);
-    for (int i = 0, column = 0; column < dim; column++) {
-        if (i < dim - 1 && find_pivot(s, i, column)) {
-            clear_column(s, i, column, s->norm);
-            mpz_set(s->norm, s->table[i][column]);
-            i++;
-        } else if (without >= 0) {
+    int dim = s->m->dim, last = dim - 2, without = 0;
+    for (; s->rows <= last; s->rows++)
+        if (!add_row(s, s->rows))
             return false;
-        } else {
-            without = column;
-        }
+    while (s->is_pivot[without])
+        without++;
+    mpz_set(s->normal[without], s->table[last][s->pivot[last]]);
+    for (int i = last; i >= 0; i--) {
+        mpz_ptr x = s->normal[s->pivot[i]];
+        mpz_set_ui(s->part, 0);
+        for (int j = 0; j < dim; j++)
+            if (!s->is_pivot[j] || s->is_pivot[j] > i + 1)
+                mpz_submul(s->part, s->table[i][j], s->normal[j]);
+        mpz_divexact(x, s->part, s->table[i][s->pivot[i]]);
     }
-    mpz_set(s->normal[without], s->norm);
-    for (int i = 0; i < dim - 1; i++)
-        mpz_neg(s->normal[i < without ? i : i + 1], s->table[i][without]);
     return true;
 }
 
@@ -449,6 +452,7 @@ static void choose(search *s, int level, int from)
         if (s->m->dim > 4 && last && last->side == next->side && last->corner != next->corner)
             continue;
         s->chosen[level] = i;
+        forget_rows(s, level);
         expand(s, level);
         choose(s, level + 1, i + 1);
     }

@@ -27,12 +27,16 @@ static void swap_rows(const table *a, int i, int k)
         mpz_swap(row_of_table(a, i)[j], row_of_table(a, k)[j]);
 }
 
-/* Row i, which is not row c, after column c got its pivot. Columns before c keep their shape. */
+/* Row i, which is not row c, after column c got its pivot. Of columns before c it has no more than
+ * its own pivot, which follows. */
 static void clear_column_in_row(table *a, int i, int c, const mpz_t before)
 {
     mpz_t *r = row_of_table(a, i), *p = row_of_table(a, c);
-    mpz_set(a->t, r[c]);
-    for (int j = 0; j < a->width; j++) {
+    mpz_swap(a->t, r[c]);
+    mpz_set_ui(r[c], 0);
+    if (i < c)
+        mpz_set(r[i], p[c]);
+    for (int j = c + 1; j < a->width; j++) {
         mpz_mul(r[j], r[j], p[c]);
         mpz_submul(r[j], a->t, p[j]);
         mpz_divexact(r[j], r[j], before);

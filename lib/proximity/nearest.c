@@ -1,4 +1,4 @@
-/* nearest.c: the point of a polytope nearest to 0, by P. Wolfe's algorithm, in rationals.
+/* nearest.c: the point of a polytope nearest to 0, by P. Wolfe's algorithm, exactly.
  *
  * A corral is a set of vertices, affinely independent, whose affine hull has its point x nearest to
  * 0 inside their convex hull. If no vertex v of M has v.x < x.x, then M lies beyond the plane
@@ -8,8 +8,15 @@
  * weight there, and asks again. Each step of the outer loop comes nearer to 0, so no corral comes
  * twice, and there are finitely many. All signs are exact.
  *
+ * At first y is found in doubles, for as long as x comes nearer by that. The corral which is left
+ * is a guess: the exact walk begins there, in the midst of its vertices, and mostly ends there;
+ * where they depend on each other it begins at one of them.
+ *
  * Source: P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
  */
+#include <float.h>
+#include <math.h>
+
 #include "frame/jordan.h"
 #include "num/rationals.h"
 #include "num/vec.h"
@@ -24,9 +31,14 @@ typedef struct wolfe {
     mpz_t *vertices;  /* their numbers */
     mpz_t *table;     /* [most + 1][most + 2] */
     mpz_t *direction; /* [dim] x times the determinant */
-    mpz_t *sums;      /* [dim] scratch */
     mpq_t *weight;    /* [most] of the vertices in x */
     mpq_t *wish;      /* [most] in y */
+    double *near; /* [most][dim] in doubles: vertices, none of whose numbers is larger than 1 ... */
+    double *gram; /* ... [most][most + 1] their products, and 1 */
+    double *rough; /* [dim] x */
+    double length; /* |x|^2 */
+    long bits;     /* of the largest number of a vertex, or more */
+    bool roughly;  /* y is found in doubles */
     mpz_t det, a, b;
     mpq_t step, t;
 } wolfe;
@@ -41,24 +53,42 @@ static size_t table_size(const wolfe *w)
     return (w->most + 1) * (w->most + 2);
 }
 
+static size_t rough_size(const wolfe *w)
+{
+    size_t dim = (size_t)w->m->dim;
+    return w->most * dim + w->most * (w->most + 1) + dim;
+}
+
 /* ---- life ------------------------------------------------------------------------------------ */
+
+/* A number of a vertex is a sum of numbers of all rows. */
+static long bits_of_rows(const fmb_minkowski *m)
+{
+    size_t bits = 0;
+    for (size_t i = 0; i < m->cells; i++)
+        bits = mpz_sizeinbase(m->cell[i], 2) > bits ? mpz_sizeinbase(m->cell[i], 2) : bits;
+    return (long)bits;
+}
 
 static fmb_status open_wolfe(wolfe *w, fmb_minkowski *m, fmb_run *run)
 {
     size_t dim = (size_t)m->dim;
     fmb_mem *mem = m->mem;
-    *w = (wolfe){.m = m, .run = run, .most = dim + 2};
+    *w = (wolfe){.m = m, .run = run, .most = dim + 2, .length = INFINITY};
+    w->bits = bits_of_rows(m);
     mpz_inits(w->det, w->a, w->b, NULL);
     mpq_inits(w->step, w->t, NULL);
     w->vertex = fmb_mem_get(mem, w->most, sizeof(mpz_t *));
     w->vertices = fmb_vec_block(w->most * vertex_size(w), mem);
     w->table = fmb_vec_block(table_size(w), mem);
     w->direction = fmb_vec_block(dim, mem);
-    w->sums = fmb_vec_block(dim, mem);
-    if (!w->vertex || !w->vertices || !w->table || !w->direction || !w->sums)
+    w->near = fmb_mem_get(mem, rough_size(w), sizeof *w->near);
+    if (!w->vertex || !w->vertices || !w->table || !w->direction || !w->near)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < w->most; i++)
         w->vertex[i] = w->vertices + i * vertex_size(w);
+    w->gram = w->near + w->most * dim;
+    w->rough = w->gram + w->most * (w->most + 1);
     FMB_TRY(fmb_rationals_new(&w->weight, w->most, mem));
     return fmb_rationals_new(&w->wish, w->most, mem);
 }
@@ -75,7 +105,7 @@ static void close_wolfe(wolfe *w)
     free_block(w, w->vertices, w->most * vertex_size(w));
     free_block(w, w->table, table_size(w));
     free_block(w, w->direction, dim);
-    free_block(w, w->sums, dim);
+    fmb_mem_put(mem, w->near, rough_size(w), sizeof *w->near);
     fmb_mem_put(mem, w->vertex, w->most, sizeof *w->vertex);
     fmb_rationals_free(w->weight, w->most, mem);
     fmb_rationals_free(w->wish, w->most, mem);
@@ -85,9 +115,53 @@ static void close_wolfe(wolfe *w)
 
 /* ---- the nearest point of an affine hull ----------------------------------------------------- */
 
+/* Vertex i in doubles. */
+static void read_vertex(wolfe *w, size_t i)
+{
+    for (int j = 0; j < w->m->dim; j++) {
+        long exponent;
+        double x = mpz_get_d_2exp(&exponent, w->vertex[i][j]);
+        long power = exponent - w->bits;
+        w->near[i * (size_t)w->m->dim + (size_t)j] = power < -1000 ? 0 : ldexp(x, (int)power);
+    }
+}
+
+static double rough_dot(const wolfe *w, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int j = 0; j < w->m->dim; j++)
+        sum += a[j] * b[j];
+    return sum;
+}
+
+/* With a 1 added to all products the matrix is regular even if 0 is in the hull, and its solution
+ * is a multiple of the weights. A weight that is no number is 0. */
+static void find_rough_wish(wolfe *w)
+{
+    size_t n = w->n, dim = (size_t)w->m->dim;
+    double *a = w->gram, sum = 0;
+    for (size_t i = 0; i < n; i++)
+        read_vertex(w, i);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k <= n; k++)
+            a[i * (n + 1) + k] = k < n ? 1 + rough_dot(w, w->near + i * dim, w->near + k * dim) : 1;
+    for (size_t p = 0; p < n; p++)
+        for (size_t i = 0; i < n; i++) {
+            double by = i == p ? 0 : a[i * (n + 1) + p] / a[p * (n + 1) + p];
+            for (size_t k = p; k <= n; k++)
+                a[i * (n + 1) + k] -= by * a[p * (n + 1) + k];
+        }
+    for (size_t i = 0; i < n; i++)
+        sum += a[i * (n + 1) + n] /= a[i * (n + 1) + i];
+    for (size_t i = 0; i < n; i++) {
+        double weight = a[i * (n + 1) + n] / sum;
+        mpq_set_d(w->wish[i], isfinite(weight) ? weight : 0);
+    }
+}
+
 /* The weights of y make all v_i.y equal and add up to 1. The matrix is regular as the vertices are
  * affinely independent. */
-static fmb_status find_wish(wolfe *w)
+static fmb_status find_exact_wish(wolfe *w)
 {
     size_t n = w->n, width = n + 2;
     for (size_t i = 0; i <= n; i++) {
@@ -106,6 +180,14 @@ static fmb_status find_wish(wolfe *w)
         mpz_set(mpq_denref(w->wish[i]), w->det);
         mpq_canonicalize(w->wish[i]);
     }
+    return FMB_OK;
+}
+
+static fmb_status find_wish(wolfe *w)
+{
+    if (!w->roughly)
+        return find_exact_wish(w);
+    find_rough_wish(w);
     return FMB_OK;
 }
 
@@ -172,7 +254,7 @@ static fmb_status make_corral(wolfe *w)
 }
 
 /* direction = det x, a whole vector. */
-static void find_direction(wolfe *w)
+static void find_exact_direction(wolfe *w)
 {
     for (int j = 0; j < w->m->dim; j++)
         mpz_set_ui(w->direction[j], 0);
@@ -181,6 +263,22 @@ static void find_direction(wolfe *w)
         for (int j = 0; j < w->m->dim; j++)
             mpz_addmul(w->direction[j], share, w->vertex[i][j]);
     }
+}
+
+/* x in doubles, and as a direction of short whole numbers. */
+static void find_rough_direction(wolfe *w)
+{
+    double most = 0;
+    int exponent;
+    for (int j = 0; j < w->m->dim; j++) {
+        w->rough[j] = 0;
+        for (size_t i = 0; i < w->n; i++)
+            w->rough[j] += mpq_get_d(w->weight[i]) * w->near[i * (size_t)w->m->dim + (size_t)j];
+        most = fmax(most, fabs(w->rough[j]));
+    }
+    (void)frexp(most, &exponent);
+    for (int j = 0; j < w->m->dim; j++)
+        mpz_set_d(w->direction[j], ldexp(w->rough[j], DBL_MANT_DIG - exponent));
 }
 
 /* Does the vertex behind those of the corral have v.x < x.x? */
@@ -192,22 +290,51 @@ static bool is_nearer(wolfe *w)
     return mpz_cmp(w->a, w->b) < 0;
 }
 
+/* The same in doubles, where x must also have come nearer since it was asked last, and there is
+ * room for a vertex in a corral. */
+static bool is_roughly_nearer(wolfe *w)
+{
+    double length = rough_dot(w, w->rough, w->rough), *v = w->near + w->n * (size_t)w->m->dim;
+    bool falls = length < w->length;
+    read_vertex(w, w->n);
+    w->length = length;
+    return falls && w->n <= (size_t)w->m->dim && rough_dot(w, w->rough, v) < length;
+}
+
+/* Wolfe's algorithm from those vertices and weights on. */
+static fmb_status walk(wolfe *w, bool roughly)
+{
+    bool goes_on = true;
+    for (w->roughly = roughly; goes_on; w->n += goes_on) {
+        FMB_TRY(make_corral(w));
+        (roughly ? find_rough_direction : find_exact_direction)(w);
+        fmb_minkowski_lowest(w->m, w->direction, w->vertex[w->n]);
+        goes_on = (roughly ? is_roughly_nearer : is_nearer)(w);
+        if (goes_on)
+            mpq_set_ui(w->weight[w->n], 0, 1);
+        FMB_TRY(fmb_run_poll(w->run));
+    }
+    return FMB_OK;
+}
+
+/* The first n vertices, in the midst of them. */
+static void begin(wolfe *w, size_t n)
+{
+    w->n = n;
+    for (size_t i = 0; i < n; i++)
+        mpq_set_ui(w->weight[i], 1, n);
+}
+
 static fmb_status find_nearest_corral(wolfe *w)
 {
     fmb_minkowski_lowest(w->m, w->direction, w->vertex[0]); /* any will do: the direction is 0 */
-    mpq_set_ui(w->weight[0], 1, 1);
-    fmb_status st = FMB_OK;
-    bool goes_on = true;
-    for (w->n = 1; st == FMB_OK && goes_on; w->n += goes_on) {
-        st = make_corral(w);
-        if (st != FMB_OK)
-            break;
-        find_direction(w);
-        fmb_minkowski_lowest(w->m, w->direction, w->vertex[w->n]);
-        goes_on = is_nearer(w);
-        if (goes_on)
-            mpq_set_ui(w->weight[w->n], 0, 1);
-        st = fmb_run_poll(w->run);
+    begin(w, 1);
+    FMB_TRY(walk(w, true));
+    begin(w, w->n);
+    fmb_status st = walk(w, false);
+    if (st == FMB_ERR_ARG) {
+        begin(w, 1);
+        st = walk(w, false);
     }
     return st;
 }

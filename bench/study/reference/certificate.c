@@ -49,22 +49,19 @@ void study_form_clear(study_form *f)
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
-/* x = *whole 2^*exponent, *whole odd or 0. */
-static void split(double x, double *whole, int *exponent)
+void study_split(double x, double *whole, int *exponent)
 {
-    *whole = ldexp(frexp(x, exponent), DBL_MANT_DIG);
-    *exponent -= DBL_MANT_DIG;
-    while (*whole != 0 && fmod(*whole, 2) == 0) {
-        *whole /= 2;
-        ++*exponent;
-    }
+    int64_t all = (int64_t)ldexp(frexp(x, exponent), DBL_MANT_DIG);
+    int zeros = all == 0 ? 0 : __builtin_ctzll((unsigned long long)all);
+    *exponent += zeros - DBL_MANT_DIG;
+    *whole = ldexp((double)all, -zeros);
 }
 
 static void lower_unit(double x, int *unit)
 {
     double whole;
     int exponent;
-    split(x, &whole, &exponent);
+    study_split(x, &whole, &exponent);
     if (whole != 0 && exponent < *unit)
         *unit = exponent;
 }
@@ -74,7 +71,7 @@ static void set_whole(mpz_t out, double x, int unit)
 {
     double whole;
     int exponent;
-    split(x, &whole, &exponent);
+    study_split(x, &whole, &exponent);
     mpz_set_d(out, whole);
     if (whole != 0)
         mpz_mul_2exp(out, out, (mp_bitcnt_t)(exponent - unit));
@@ -258,7 +255,7 @@ static int compare_to_double(study_meeting *s, const mpz_t value, const mpz_t n,
     int exponent;
     if (isinf(x))
         return x > 0 ? -1 : 1;
-    split(x, &whole, &exponent);
+    study_split(x, &whole, &exponent);
     mpz_set_d(s->part, whole);
     mpz_mul(s->part, s->part, n);
     mpz_set(s->most, value);

@@ -55,4 +55,7 @@ void study_form_of_unknown(study_form *f, const study_meeting *s, int j, int sig
 bool study_meeting_has_end(study_meeting *s, const study_form *f, mpz_t *z, const mpz_t n, mpz_t *y,
                            const mpz_t k, double end);
 
+/* x = *whole 2^*exponent, *whole odd or 0. */
+void study_split(double x, double *whole, int *exponent);
+
 #endif
