@@ -178,7 +178,6 @@ static fmb_status find_exact_wish(wolfe *w)
     for (size_t i = 0; i < n; i++) {
         mpz_set(mpq_numref(w->wish[i]), w->table[i * width + n + 1]);
         mpz_set(mpq_denref(w->wish[i]), w->det);
-        mpq_canonicalize(w->wish[i]);
     }
     return FMB_OK;
 }
@@ -226,9 +225,14 @@ static void drop_vertex(wolfe *w, size_t i)
     mpq_set(w->wish[i], w->wish[last]);
 }
 
-/* At least one vertex is dropped: the one that stopped the step. */
+/* At least one vertex is dropped: the one that stopped the step. Only now common divisors matter.
+ */
 static void step_towards_wish(wolfe *w)
 {
+    for (size_t i = 0; i < w->n; i++) {
+        mpq_canonicalize(w->wish[i]);
+        mpq_canonicalize(w->weight[i]);
+    }
     find_step(w);
     for (size_t i = w->n; i-- > 0;) {
         mpq_sub(w->t, w->wish[i], w->weight[i]);
@@ -253,16 +257,20 @@ static fmb_status make_corral(wolfe *w)
     return FMB_OK;
 }
 
+/* The weight of vertex i in y, times det. */
+static mpz_ptr share_of_vertex(const wolfe *w, size_t i)
+{
+    return w->table[i * (w->n + 2) + w->n + 1];
+}
+
 /* direction = det x, a whole vector. */
 static void find_exact_direction(wolfe *w)
 {
     for (int j = 0; j < w->m->dim; j++)
         mpz_set_ui(w->direction[j], 0);
-    for (size_t i = 0; i < w->n; i++) {
-        mpz_ptr share = w->table[i * (w->n + 2) + w->n + 1];
+    for (size_t i = 0; i < w->n; i++)
         for (int j = 0; j < w->m->dim; j++)
-            mpz_addmul(w->direction[j], share, w->vertex[i][j]);
-    }
+            mpz_addmul(w->direction[j], share_of_vertex(w, i), w->vertex[i][j]);
 }
 
 /* x in doubles, and as a direction of short whole numbers. */
@@ -344,14 +352,11 @@ static fmb_status find_nearest_corral(wolfe *w)
 /* out = sum of weight_i number_i, a number of each vertex, over unit. */
 static void weigh_number(wolfe *w, size_t place, const mpz_t unit, mpq_t out)
 {
-    mpq_set_ui(out, 0, 1);
-    for (size_t i = 0; i < w->n; i++) {
-        mpq_set_z(w->t, w->vertex[i][place]);
-        mpq_mul(w->t, w->t, w->weight[i]);
-        mpq_add(out, out, w->t);
-    }
-    mpq_set_z(w->t, unit);
-    mpq_div(out, out, w->t);
+    mpz_set_ui(mpq_numref(out), 0);
+    for (size_t i = 0; i < w->n; i++)
+        mpz_addmul(mpq_numref(out), share_of_vertex(w, i), w->vertex[i][place]);
+    mpz_mul(mpq_denref(out), w->det, unit);
+    mpq_canonicalize(out);
 }
 
 static void add_travel(wolfe *w, int k, int j, fmb_proximity *out)
