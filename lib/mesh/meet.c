@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/clock.h"
 #include "base/sized.h"
 #include "base/threads.h"
 #include "mesh/mesh_distance.h"
@@ -95,6 +96,10 @@ static fmb_status walk_all(fmb_walk_plan *plan, fmb_mem *mem, fmb_tree_walk *wal
     bool by_rows = plan->to > plan->from;
     size_t jobs = by_rows ? plan->to - plan->from : (size_t)fmb_walk_parts(plan, part);
     walks w = {by_rows ? NULL : part, plan->from, walk};
+    for (size_t k = 0; threads == 1 && k < jobs; k++)
+        walk_one(&w, k, 0);
+    if (threads == 1)
+        return FMB_OK;
     fmb_threads running;
     fmb_status st = fmb_threads_open(&running, mem, (size_t)threads);
     if (st == FMB_OK)
@@ -139,12 +144,16 @@ static size_t share_of_hits(const fmb_walk_plan *plan, const fmb_mem *mem, int t
 static void open_walks(fmb_walk_plan *plan, const fmb_mem *mem, fmb_tree_walk *walk, int threads)
 {
     for (int t = 0; t < threads; t++) {
-        walk[t].plan = plan;
-        walk[t].tells = t == 0;
-        walk[t].run = plan->run;
-        fmb_mem_init(&walk[t].mem, plan->o->mem, share_of_hits(plan, mem, threads));
-        walk[t].out.mem = walk[t].mem.alloc;
-        fmb_mesh_frames_open(&walk[t].frames, plan->o->mem, plan->o->motion);
+        fmb_tree_walk *x = &walk[t];
+        x->plan = plan;
+        x->tells = t == 0;
+        x->run = plan->run;
+        x->unheard = 0;
+        x->weight = 0;
+        x->st = FMB_OK;
+        fmb_mem_init(&x->mem, plan->o->mem, share_of_hits(plan, mem, threads));
+        x->out = (fmb_mesh_answer){.mem = x->mem.alloc};
+        fmb_mesh_frames_open(&x->frames, plan->o->mem, plan->o->motion);
     }
 }
 
@@ -164,9 +173,10 @@ static int count_threads(const fmb_mesh_options *o)
 static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answer *out)
 {
     int threads = count_threads(plan->o);
-    fmb_tree_walk *walk;
-    FMB_TRY(FMB_GET_ZERO(mem, walk, (size_t)threads));
+    fmb_tree_walk alone, *walk = &alone;
     fmb_status st = FMB_OK;
+    if (threads > 1)
+        FMB_TRY(FMB_GET(mem, walk, (size_t)threads));
     open_walks(plan, mem, walk, threads);
     if (plan->a->cells > 0 && plan->b->cells > 0)
         st = walk_all(plan, mem, walk, threads);
@@ -176,7 +186,8 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
         walk[0].out = (fmb_mesh_answer){.size = sizeof(fmb_mesh_answer)};
     }
     close_walks(walk, threads);
-    fmb_mem_put(mem, walk, (size_t)threads, sizeof *walk);
+    if (threads > 1)
+        fmb_mem_put(mem, walk, (size_t)threads, sizeof *walk);
     return st;
 }
 
@@ -185,6 +196,8 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
 static bool can_be_clearance(const char *within)
 {
     fmb_mesh_clearance clearance;
+    if (!within)
+        return true;
     fmb_mesh_clearance_init(&clearance);
     bool good = fmb_mesh_clearance_read(&clearance, within);
     fmb_mesh_clearance_clear(&clearance);
@@ -265,18 +278,23 @@ static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fm
         return FMB_ERR_ARG;
     o = &options;
     fmb_mem_init(&mem, o->mem, 0);
-    fmb_options limits = {.size = sizeof limits};
-    limits.max_seconds = o->max_seconds;
-    limits.max_bytes = o->max_bytes;
-    fmb_run_begin(&plan->run, &mem, &limits, &plan->stopped, (fmb_sink){0}, "mesh");
+    mem.limit = o->max_bytes;
+    plan->run.mem = &mem;
+    plan->run.cancel = &plan->stopped;
+    plan->run.threads = 1;
+    if (o->max_seconds > 0)
+        plan->run.deadline = fmb_monotonic_seconds() + o->max_seconds;
     plan->a = a;
     plan->b = b ? b : a;
     plan->o = o;
     fmb_mem_take(&mem, a->mem.used + (plan->b != a ? plan->b->mem.used : 0));
-    fmb_mesh_clearance_init(&plan->clearance);
+    bool has_clearance = o->within || plan->nearest;
+    if (has_clearance)
+        fmb_mesh_clearance_init(&plan->clearance);
     (void)fmb_mesh_clearance_read(&plan->clearance, o->within);
     fmb_status st = meet_with_ids(plan, &mem, &found);
-    fmb_mesh_clearance_clear(&plan->clearance);
+    if (has_clearance)
+        fmb_mesh_clearance_clear(&plan->clearance);
     if (st != FMB_OK)
         fmb_mesh_answer_clear(&found);
     if (st == FMB_LIMIT)

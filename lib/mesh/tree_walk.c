@@ -3,14 +3,15 @@
 
 /* ---- pairs of cells -------------------------------------------------------------------------- */
 
-static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_cell *b,
-                               unsigned faults, unsigned common, fmb_mesh_how *how)
+static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_triangle_plane *plane,
+                               const fmb_cell *b, unsigned faults, unsigned common,
+                               fmb_mesh_how *how)
 {
     int shared = fmb_cell_count(common);
     bool alike = a->corners == b->corners && !faults && !x->plan->o->motion;
     *how = FMB_MESH_TOUCH;
     if (alike && a->corners == 3)
-        *how = fmb_decide_triangles(a, b, common);
+        *how = fmb_decide_triangles(a, plane, b, common);
     else if (alike)
         *how = fmb_decide_tetrahedra(a, b, shared);
     if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
@@ -30,14 +31,16 @@ static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
     return st;
 }
 
-static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a, uint32_t i,
+/* plane: that of a, if it is a triangle. */
+static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a,
+                                        const fmb_triangle_plane *plane, uint32_t i,
                                         const fmb_cell *b, uint32_t j)
 {
     fmb_mesh_how how;
     unsigned common = fmb_cell_common(a, b);
     x->out.tested++;
     unsigned faults = x->plan->a->faults[i] | (unsigned)x->plan->b->faults[j] << 4;
-    fmb_status st = decide_cells(x, a, b, faults, common, &how);
+    fmb_status st = decide_cells(x, a, plane, b, faults, common, &how);
     bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->plan->o->neighbours);
     if (st == FMB_OK && how == FMB_MESH_APART && x->plan->clearance.gap > 0) {
         bool exactly;
@@ -84,6 +87,7 @@ typedef struct leaf_cells {
     uint32_t place[FMB_MESH_LEAF_CELLS];
     fmb_mesh_box box[FMB_MESH_LEAF_CELLS];
     fmb_cell cell[FMB_MESH_LEAF_CELLS];
+    fmb_triangle_plane plane[FMB_MESH_LEAF_CELLS];
 } leaf_cells;
 
 /* Those of leaf n whose boxes are near one around the cells of another leaf. */
@@ -97,8 +101,10 @@ static void list_cells(const fmb_mesh *m, const uint32_t *ids, const fmb_mesh_no
         out->place[out->size] = i;
         out->size += fmb_mesh_boxes_are_near(clearance, &out->box[out->size], other);
     }
-    for (int i = 0; i < out->size; i++)
+    for (int i = 0; i < out->size; i++) {
         out->cell[i] = fmb_mesh_cell_of(m, ids, m->order[out->place[i]]);
+        out->plane[i] = fmb_plane_of_cell(&out->cell[i]);
+    }
 }
 
 /* Cell i of p and j of q; of one mesh the smaller number first. */
@@ -108,8 +114,8 @@ static fmb_status meet_cells(fmb_tree_walk *x, const leaf_cells *p, int i, const
     const fmb_walk_plan *plan = x->plan;
     uint32_t c = plan->a->order[p->place[i]], d = plan->b->order[q->place[j]];
     bool swap = plan->a == plan->b && d < c;
-    return swap ? look_at_pair_of_cells(x, &q->cell[j], d, &p->cell[i], c)
-                : look_at_pair_of_cells(x, &p->cell[i], c, &q->cell[j], d);
+    return swap ? look_at_pair_of_cells(x, &q->cell[j], &q->plane[j], d, &p->cell[i], c)
+                : look_at_pair_of_cells(x, &p->cell[i], &p->plane[i], c, &q->cell[j], d);
 }
 
 /* Of one node with itself: each pair once. */
@@ -120,13 +126,15 @@ static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fm
     const fmb_mesh_clearance *clearance = &plan->clearance;
     fmb_mesh_box swept = fmb_mesh_box_sweep(q->box, motion);
     fmb_status st = fmb_run_poll(&x->run);
-    leaf_cells a, b;
+    leaf_cells a, other;
+    const leaf_cells *b = p == q ? &a : &other;
     list_cells(plan->a, plan->ids_a, p, NULL, clearance, &swept, &a);
-    list_cells(plan->b, plan->ids_b, q, motion, clearance, &p->box, &b);
+    if (p != q)
+        list_cells(plan->b, plan->ids_b, q, motion, clearance, &p->box, &other);
     for (int i = 0; i < a.size; i++)
-        for (int j = p == q ? i + 1 : 0; st == FMB_OK && j < b.size; j++)
-            if (fmb_mesh_boxes_are_near(clearance, &a.box[i], &b.box[j]))
-                st = meet_cells(x, &a, i, &b, j);
+        for (int j = p == q ? i + 1 : 0; st == FMB_OK && j < b->size; j++)
+            if (fmb_mesh_boxes_are_near(clearance, &a.box[i], &b->box[j]))
+                st = meet_cells(x, &a, i, b, j);
     return st;
 }
 
@@ -172,6 +180,7 @@ fmb_status fmb_walk_row_of_pairs(fmb_tree_walk *x, uint32_t row)
     const size_t cells = plan->b->cells;
     const double weight = 1.0 / (double)(plan->to - plan->from) / (double)cells;
     fmb_cell a = fmb_mesh_cell_of(plan->a, plan->ids_a, row);
+    fmb_triangle_plane plane = fmb_plane_of_cell(&a);
     fmb_status st = FMB_OK;
     for (size_t j = plan->a == plan->b ? (size_t)row + 1 : 0; st == FMB_OK && j < cells;) {
         size_t end = cells - j < PAIRS_BETWEEN_NOTES ? cells : j + PAIRS_BETWEEN_NOTES;
@@ -179,7 +188,7 @@ fmb_status fmb_walk_row_of_pairs(fmb_tree_walk *x, uint32_t row)
         st = fmb_run_poll(&x->run);
         for (; st == FMB_OK && j < end; j++) {
             fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, (uint32_t)j);
-            st = look_at_pair_of_cells(x, &a, row, &b, (uint32_t)j);
+            st = look_at_pair_of_cells(x, &a, &plane, row, &b, (uint32_t)j);
         }
         FMB_THEN(st, note_progress(x, share));
     }

@@ -9,6 +9,8 @@
 #include <fmb/frame.h>
 #include <fmb/mesh.h>
 
+#include "pair/corners/volume.h"
+
 enum { FMB_CELL_MOST_CORNERS = 4 };
 
 typedef struct fmb_cell {
@@ -52,8 +54,14 @@ static inline int fmb_cell_count(unsigned bits)
     return (int)(UINT64_C(0x4332322132212110) >> 4 * bits & 15);
 }
 
-/* Two triangles, tame and not flat; common: their fmb_cell_common. */
-fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, unsigned common);
+static inline fmb_triangle_plane fmb_plane_of_cell(const fmb_cell *c)
+{
+    return fmb_triangle_plane_of(c->point[0], c->point[1], c->point[2]);
+}
+
+/* Two triangles, tame and not flat; plane: that of a; common: their fmb_cell_common. */
+fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_triangle_plane *plane,
+                                  const fmb_cell *b, unsigned common);
 /* Likewise two tetrahedra, with so many corners in common. FMB_MESH_TOUCH may also be SHARE here,
  * if shared > 0. */
 fmb_mesh_how fmb_decide_tetrahedra(const fmb_cell *a, const fmb_cell *b, int shared);

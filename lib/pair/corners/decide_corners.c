@@ -76,8 +76,9 @@ bool fmb_decide_corners(const fmb_frame *p, const fmb_frame *q, fmb_contact cont
     }
     number_shared_corners(&c[0], &c[1]);
     unsigned common = fmb_cell_common(&c[0], &c[1]);
+    fmb_triangle_plane plane = fmb_plane_of_cell(&c[0]);
     fmb_mesh_how how = c[0].corners == 3
-                           ? fmb_decide_triangles(&c[0], &c[1], common)
+                           ? fmb_decide_triangles(&c[0], &plane, &c[1], common)
                            : fmb_decide_tetrahedra(&c[0], &c[1], fmb_cell_count(common));
     bool meet = contact == FMB_CONTACT_CLOSED ? how != FMB_MESH_APART
                                               : how == FMB_MESH_CROSS || how == FMB_MESH_COPLANAR;

@@ -19,11 +19,6 @@
 #include "pair/corners/cell.h"
 #include "pair/corners/volume.h"
 
-static fmb_triangle_plane plane_of_cell(const fmb_cell *c)
-{
-    return fmb_triangle_plane_of(c->point[0], c->point[1], c->point[2]);
-}
-
 /* On which side of h, b's plane, the corners of a are: -1, 0, 1. */
 static void find_sides_of_plane(const fmb_cell *a, const fmb_cell *b, const fmb_triangle_plane *h,
                                 int side[3])
@@ -245,20 +240,20 @@ static bool are_others_on_one_side(const int side[3], int shared)
 /* ---- both ------------------------------------------------------------------------------------ */
 
 /* What is strictly on one side of a plane but for common corners meets what is in it in these. */
-fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, unsigned common)
+fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_triangle_plane *plane,
+                                  const fmb_cell *b, unsigned common)
 {
     const int shared = fmb_cell_count(common);
     const fmb_mesh_how neither = shared > 0 ? FMB_MESH_SHARE : FMB_MESH_APART;
     int side_a[3], side_b[3];
-    fmb_triangle_plane of_a = plane_of_cell(a);
-    if (are_mere_neighbours(&of_a, a, b, common, shared))
+    if (are_mere_neighbours(plane, a, b, common, shared))
         return FMB_MESH_SHARE;
-    find_sides_of_plane(b, a, &of_a, side_b);
+    find_sides_of_plane(b, a, plane, side_b);
     if (side_b[0] == 0 && side_b[1] == 0 && side_b[2] == 0)
         return decide_in_plane(a, b, shared);
     if (are_others_on_one_side(side_b, shared))
         return neither;
-    fmb_triangle_plane of_b = plane_of_cell(b);
+    fmb_triangle_plane of_b = fmb_plane_of_cell(b);
     find_sides_of_plane(a, b, &of_b, side_a);
     if (are_others_on_one_side(side_a, shared))
         return neither;
