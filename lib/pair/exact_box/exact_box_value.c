@@ -14,7 +14,7 @@
 
 /* What numbers count more than they are, so that the error has room for those that are off by
  * FMB_WIDE_LEAST: CLOSE_UNIT of it is more than that. */
-#define SMALL 0x1p-760
+#define LEAST_SIZE 0x1p-760
 
 /* ---- costs ----------------------------------------------------------------------------------- */
 
@@ -170,7 +170,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
 {
     const fmb_exact_box_program *s = v->program;
     fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS], c = constant_of_goal(v, goal);
-    double size = fabs(c.near) + SMALL, off = 0;
+    double size = fabs(c.near) + LEAST_SIZE, off = 0;
     bool varies = false;
     if (!v->is_near || s->has_ends)
         return false;
@@ -179,7 +179,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
     for (int j = 0; j < s->columns; j++)
         if (fmb_exact_box_is_one(v, j)) {
             take_close(value, -cost[j].near, -cost[j].rest);
-            size += fabs(cost[j].near) + SMALL;
+            size += fabs(cost[j].near) + LEAST_SIZE;
         }
     for (int k = 0; k < s->dim; k++) {
         int reference = fmb_exact_box_reference_of(v, v->basic[k]);
@@ -194,7 +194,7 @@ static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, l
         }
         if (most == 0)
             continue;
-        most += SMALL;
+        most += LEAST_SIZE;
         need_close(v);
         *value = lane2_add(true, *value, lane2_times(true, close, v->close_x[k]));
         size += most * fabs(v->close_x[k].hi);

@@ -11,7 +11,7 @@
 #include "pair/exact_box/exact_box_value.h"
 
 #define DIM FMB_EXACT_BOX_DIM
-enum { MOST_STEPS = 256 };
+enum { MOST_EXACT_STEPS = 256 };
 
 /* Items are the basic unknowns: those of P, item k in place k, and then the references. Values and
  * falls of items are in v->whole. */
@@ -286,7 +286,7 @@ static void turn_end(exact_walk *w, int j)
 static fmb_verdict walk_on(exact_walk *w, const fmb_exact_box_goal *goal)
 {
     exact_way way;
-    for (int steps = 0; steps < MOST_STEPS; steps++) {
+    for (int steps = 0; steps < MOST_EXACT_STEPS; steps++) {
         if (fmb_poll_ask(w->whole->poll) != FMB_OK)
             return FMB_UNKNOWN;
         look_at_places(w);

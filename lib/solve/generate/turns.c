@@ -11,14 +11,14 @@
 #include "hull/section/section.h"
 
 /* With fewer generators for each coordinate, facets mostly are more than those, or soon found. */
-#define MANY_ROWS 16
+#define MANY_RAYS 16
 /* With fewer coordinates, facets come as quickly generator by generator (measured: with one more, a
  * section takes a fifth to 1.3 of that). */
 #define SECTION_COORDINATES 7
 /* Rays of the first turn, and so many for each row; each turn is LONGER times the one before. */
-#define FIRST_RAYS  4096
-#define RAYS_OF_ROW 4
-#define LONGER      8
+#define RAYS_OF_FIRST_TURN 4096
+#define RAYS_OF_ROW        4
+#define LONGER             8
 /* Pairs of facets that a section may look at for each of these. */
 #define PAIRS_OF_RAY 512
 /* Facets are few if they are no more than two for each coordinate, and one for so many rows. */
@@ -89,7 +89,7 @@ static fmb_status find_facets_by_section(turns *t, uint64_t pairs, bool *done)
 
 static uint64_t rays_of_first_turn(const turns *t)
 {
-    return FIRST_RAYS + RAYS_OF_ROW * t->m->rays;
+    return RAYS_OF_FIRST_TURN + RAYS_OF_ROW * t->m->rays;
 }
 
 static fmb_status take_turns_at_facets(turns *t)
@@ -118,7 +118,7 @@ static fmb_status try_section_first(turns *t)
 fmb_status fmb_hull_find_facets(fmb_image *m)
 {
     bool by_one = fmb_image_has_few_coordinates(m);
-    if (m->lines > 0 || m->rays < MANY_ROWS * m->n || (by_one && m->n < SECTION_COORDINATES))
+    if (m->lines > 0 || m->rays < MANY_RAYS * m->n || (by_one && m->n < SECTION_COORDINATES))
         return find_all_facets(m);
     turns t = {.m = m, .is_sparse = are_coefficients_few(m)};
     fmb_status st = by_one ? try_section_first(&t) : take_turns_at_facets(&t);

@@ -5,7 +5,7 @@
 
 /* A derivation is read in time and memory like the number of rows in the store; of a larger one
  * only the base rows count. */
-#define MOST_ROWS ((size_t)1 << 15)
+#define MOST_ROWS_READ ((size_t)1 << 15)
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
@@ -59,7 +59,7 @@ static fmb_status put_outer_ends(fmb_query *q, const fmb_part *p, const fmb_ends
 fmb_status fmb_outer_from_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb_box *box)
 {
     fmb_ends f;
-    if (e->rows > MOST_ROWS && e->row[p->m].p != FMB_NO_ROW)
+    if (e->rows > MOST_ROWS_READ && e->row[p->m].p != FMB_NO_ROW)
         return FMB_OK;
     fmb_status st = fmb_ends_open(&f, e);
     FMB_THEN(st, fmb_ends_find(&f));

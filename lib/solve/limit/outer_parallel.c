@@ -8,7 +8,7 @@
 #include "system/system_private.h"
 
 /* More rows stay as they are. */
-#define MOST_ROWS ((size_t)1 << 14)
+#define MOST_ROWS_COMPARED ((size_t)1 << 14)
 
 /* The query has ended, so it is not asked whether to go on. */
 static fmb_status decide_parallel_rows(fmb_query *q, size_t n, size_t m, const fmb_lp_row *row,
@@ -50,7 +50,7 @@ fmb_status fmb_outer_drop_parallel_rows(fmb_query *q, fmb_system *out, size_t fi
 {
     size_t m = fmb_system_rows(out) - first;
     fmb_arena_place place = fmb_arena_tell(&q->v->arena);
-    if (m < 2 || m > MOST_ROWS)
+    if (m < 2 || m > MOST_ROWS_COMPARED)
         return FMB_OK;
     fmb_fate *fate = fmb_arena_get(&q->v->arena, m, sizeof *fate);
     if (!fate)
