@@ -41,7 +41,6 @@ static union {
     Frame3DTime moving_3[2][PAIRS];
 } theirs;
 static study_pairs ours;
-static study_rows_inverse inverse[PAIRS];
 static study_sat_record records[2][PAIRS];
 static study_article *work;
 static study_sat_records_meet *our_sat;
@@ -67,8 +66,7 @@ ORIGINALS(moving_3, FMBTestIntersection3DTime, SATTestIntersection3DTime)
 static bool our_fmb(size_t i)
 {
     fmb_verdict verdict;
-    study_article_test(work, &inverse[i], &ours.p[i], &ours.q[i], STUDY_ARTICLE_PUBLISHED, NULL,
-                       &verdict);
+    study_article_test(work, &ours.p[i], &ours.q[i], STUDY_ARTICLE_PUBLISHED, NULL, &verdict);
     return verdict == FMB_FEASIBLE;
 }
 LOOP(ours_fmb, our_fmb(i))
@@ -145,7 +143,6 @@ static bool draw_cell(cell *c, uint64_t seed)
     if (study_pairs_make(&plan, seed, PAIRS, is_of_cell, c, &ours) != FMB_OK)
         return false;
     for (size_t i = 0; i < PAIRS; i++) {
-        study_article_invert(&ours.p[i], &inverse[i]);
         study_sat_record_make(&ours.p[i], &records[0][i]);
         study_sat_record_make(&ours.q[i], &records[1][i]);
         put_theirs(c, 0, i, &ours.p[i]);

@@ -22,7 +22,6 @@ typedef struct bench {
     verdict_rivals ours;
     study_article *listing;
     study_sat_records_meet *program;
-    study_rows_inverse *inverse; /* [n] of the first frames, which the article's FMB keeps */
     study_sat_record *record[2]; /* [n] the pool's frames as the article's SAT has them */
     fmb_frames *a, *b;           /* and ours */
     fmb_frames_pair *number;     /* [n] pair i: frame i of each */
@@ -46,7 +45,7 @@ static fmb_status run_listed_fmb(void *self, size_t first, size_t n)
     fmb_status st = FMB_OK;
     for (size_t i = first; i < first + n; i++)
         for (int r = 0; st == FMB_OK && r < s->of->repeats; r++)
-            st = study_article_test(s->of->listing, &s->of->inverse[i], &pool->p[i], &pool->q[i],
+            st = study_article_test(s->of->listing, &pool->p[i], &pool->q[i],
                                     STUDY_ARTICLE_PUBLISHED, NULL, &s->verdict[i]);
     return st;
 }
@@ -182,8 +181,7 @@ static fmb_status bench_open(const verdict_class *c, const qualify_setup *o, ben
     b->program = study_sat_program(c->dim, c->moves);
     for (int side = 0; side < 2; side++)
         b->record[side] = malloc(n * sizeof *b->record[side]);
-    b->inverse = malloc(n * sizeof *b->inverse);
-    if (!b->inverse || !b->number || !b->verdict || !b->record[0] || !b->record[1])
+    if (!b->number || !b->verdict || !b->record[0] || !b->record[1])
         return FMB_ERR_MEMORY;
     for (size_t i = 0; i < n; i++)
         b->number[i] = (fmb_frames_pair){(uint32_t)i, (uint32_t)i};
@@ -193,7 +191,6 @@ static fmb_status bench_open(const verdict_class *c, const qualify_setup *o, ben
     if (st == FMB_OK)
         st = verdict_pool_make(&(verdict_source){0}, c, o->seed, n, b->ours.fmb, &b->pool);
     for (size_t i = 0; st == FMB_OK && i < n; i++) {
-        study_article_invert(&b->pool.p[i], &b->inverse[i]);
         study_sat_record_make(&b->pool.p[i], &b->record[0][i]);
         study_sat_record_make(&b->pool.q[i], &b->record[1][i]);
     }
@@ -209,7 +206,6 @@ static void bench_close(bench *b)
     verdict_pool_free(&b->pool);
     study_article_free(b->listing);
     verdict_rivals_close(&b->ours);
-    free(b->inverse);
     free(b->record[0]);
     free(b->record[1]);
     free(b->number);

@@ -81,14 +81,11 @@ static fmb_status ask_article(sizing *z, const fmb_frame *p, const fmb_frame *q)
 {
     static const boxes_kind WORLD[2] = {BOXES_ARTICLE, BOXES_MENDED},
                             INSIDE[2] = {BOXES_ARTICLE_INSIDE, BOXES_MENDED_INSIDE};
-    study_rows_inverse inverse;
     fmb_status st = FMB_OK;
-    study_article_invert(p, &inverse);
     for (int kind = 0; st == FMB_OK && kind < 2; kind++) {
         study_article_box box = {0};
         fmb_verdict verdict;
-        st = study_article_test(z->article, &inverse, p, q, (study_article_box_kind)kind, &box,
-                                &verdict);
+        st = study_article_test(z->article, p, q, (study_article_box_kind)kind, &box, &verdict);
         copy_box((const double(*)[2])box.world, p->dim, z->box[WORLD[kind]]);
         copy_box((const double(*)[2])box.inside, p->dim, z->box[INSIDE[kind]]);
     }

@@ -84,12 +84,9 @@ static fmb_status ask_article(void *self, size_t first, size_t n, fmb_verdict *v
 {
     ours *s = self;
     fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < n; i++) {
-        study_rows_inverse inverse;
-        study_article_invert(&s->work.p[first + i], &inverse);
-        st = study_article_test(s->article, &inverse, &s->work.p[first + i], &s->work.q[first + i],
+    for (size_t i = 0; st == FMB_OK && i < n; i++)
+        st = study_article_test(s->article, &s->work.p[first + i], &s->work.q[first + i],
                                 STUDY_ARTICLE_PUBLISHED, NULL, &verdict[i]);
-    }
     return st;
 }
 

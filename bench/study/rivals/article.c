@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/rivals/seen_frame.h"
+
 static const double epsilon = 1e-7; /* of the article: absolute, in units of the first frame */
 
 enum { MOST_ROWS = 1 << 20, LEVELS = STUDY_ROWS_MOST_DIM + 1 };
@@ -24,7 +26,7 @@ struct study_article {
 };
 
 /* How far one came. */
-typedef enum progress { GOES_ON, REFUTED, TOO_MANY, NO_MEMORY } progress;
+typedef enum progress { GOES_ON, REFUTED, NO_INVERSE, TOO_MANY, NO_MEMORY } progress;
 
 fmb_status study_article_new(study_article **out)
 {
@@ -60,12 +62,18 @@ static inline bool reserve(level *to, size_t more)
 
 /* ---- the rows -------------------------------------------------------------------------------- */
 
+/* x if it is negative, else 0: nobody foresees which, so without a branch, as in the program. */
+ARTICLE_INLINE double negative_part(double x)
+{
+    return (x - fabs(x)) / 2;
+}
+
 /* The article's inconsistency: no point of the unit box satisfies the row, by more than slack. */
 ARTICLE_INLINE bool is_refuted(const double *row, int n, double slack)
 {
     double least = 0;
     for (int j = 0; j < n; j++)
-        least += row[j] < 0 ? row[j] : 0;
+        least += negative_part(row[j]);
     return row[n] < least - slack;
 }
 
@@ -126,15 +134,17 @@ ARTICLE_INLINE double *put_bounds(int dim, int n, const fmb_frame *q, double *ro
     return row;
 }
 
-ARTICLE_INLINE progress put_rows(int dim, int n, const fmb_frame *p, const fmb_frame *q,
-                                 const study_rows_image *x, level *to)
+ARTICLE_INLINE progress put_rows(int dim, int n, const fmb_frame *p, const fmb_frame *q, level *to)
 {
+    study_rows_image x;
     int facets = p->shape == FMB_CUBOID ? 2 * dim : dim + 1;
     to->m = 0;
     to->columns = n + 1;
     if (!reserve(to, STUDY_ROWS_MOST))
         return NO_MEMORY;
-    progress at = put_facets(dim, n, p, x, to->a);
+    if (!study_rows_see(dim, p, q, epsilon, &x))
+        return NO_INVERSE;
+    progress at = put_facets(dim, n, p, &x, to->a);
     if (at != GOES_ON)
         return at;
     double *end = put_bounds(dim, n, q, to->a + facets * (n + 1));
@@ -142,31 +152,36 @@ ARTICLE_INLINE progress put_rows(int dim, int n, const fmb_frame *p, const fmb_f
     return GOES_ON;
 }
 
-static progress load(const fmb_frame *p, const fmb_frame *q, int n, const study_rows_image *x,
-                     level *to)
+static progress load(const fmb_frame *p, const fmb_frame *q, int n, level *to)
 {
     if (n == 2 && p->dim == 2)
-        return put_rows(2, 2, p, q, x, to);
+        return put_rows(2, 2, p, q, to);
     if (n == 3 && p->dim == 2)
-        return put_rows(2, 3, p, q, x, to);
+        return put_rows(2, 3, p, q, to);
     if (n == 3)
-        return put_rows(3, 3, p, q, x, to);
+        return put_rows(3, 3, p, q, to);
     if (n == 4 && p->dim == 3)
-        return put_rows(3, 4, p, q, x, to);
-    return put_rows(p->dim, n, p, q, x, to);
+        return put_rows(3, 4, p, q, to);
+    return put_rows(p->dim, n, p, q, to);
 }
 
 /* ---- elimination ----------------------------------------------------------------------------- */
+
+/* -1, 0, 1: as the article asks for it, of either row. */
+ARTICLE_INLINE int sign_of(double x)
+{
+    return (0 < x) - (x < 0);
+}
 
 /* Add the pairs of p and the rows after it, each over its |first coefficient|, from row on. Where
  * they end; NULL if one is refuted. */
 ARTICLE_INLINE double *pair_rows(const double *p, const double *end, int columns, double *row)
 {
     double over_p = fabs(p[0]), rest = p[columns] / over_p;
-    bool above = p[0] > 0;
+    int sign = sign_of(p[0]);
     for (const double *q = p + columns + 1; q < end; q += columns + 1) {
         double over_q = fabs(q[0]), least = 0;
-        if (above == (q[0] > 0) || over_q <= epsilon)
+        if (sign == sign_of(q[0]) || over_q <= epsilon)
             continue;
         for (int j = 0; j < columns - 1; j++) {
             double sum = p[j + 1] / over_p + q[j + 1] / over_q;
@@ -324,32 +339,21 @@ static void export_box(const fmb_frame *q, int n, study_article_box_kind kind,
 /* ---- the test -------------------------------------------------------------------------------- */
 
 /* Down to one variable. */
-static progress go_down(study_article *w, const fmb_frame *p, const fmb_frame *q, int n,
-                        const study_rows_image *x)
+static progress go_down(study_article *w, const fmb_frame *p, const fmb_frame *q, int n)
 {
-    progress at = load(p, q, n, x, &w->at[0]);
+    progress at = load(p, q, n, &w->at[0]);
     for (int k = 0; at == GOES_ON && k < n - 1; k++)
         at = eliminate(&w->at[k], &w->at[k + 1]);
     return at;
 }
 
-void study_article_invert(const fmb_frame *p, study_rows_inverse *out)
-{
-    study_rows_invert(p, epsilon, out);
-}
-
-fmb_status study_article_test(study_article *w, const study_rows_inverse *inverse,
-                              const fmb_frame *p, const fmb_frame *q, study_article_box_kind kind,
-                              study_article_box *box, fmb_verdict *out)
+fmb_status study_article_test(study_article *w, const fmb_frame *p, const fmb_frame *q,
+                              study_article_box_kind kind, study_article_box *box, fmb_verdict *out)
 {
     double ends[2];
-    study_rows_image x;
     int n = p->dim + (p->speed || q->speed), last = n - 1;
     *out = FMB_UNKNOWN;
-    if (!inverse->exists)
-        return FMB_OK;
-    study_rows_see(inverse, p, q, &x);
-    progress at = go_down(w, p, q, n, &x);
+    progress at = go_down(w, p, q, n);
     if (at == REFUTED)
         *out = FMB_INFEASIBLE;
     if (at != GOES_ON)

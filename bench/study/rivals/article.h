@@ -31,14 +31,11 @@ typedef struct study_article study_article;
 fmb_status study_article_new(study_article **out);
 void study_article_free(study_article *w);
 
-/* What the article's program keeps of each frame: its inverse, which exists unless it is too small
- * for that program. */
-void study_article_invert(const fmb_frame *p, study_rows_inverse *out);
-
-/* The verdict on two frames with all axes, by p's inverse; UNKNOWN if p has none, or more rows
- * arise than any study wants. box, unless NULL, is written if they meet. Errors: MEMORY. */
-fmb_status study_article_test(study_article *w, const study_rows_inverse *inverse,
-                              const fmb_frame *p, const fmb_frame *q, study_article_box_kind kind,
-                              study_article_box *box, fmb_verdict *out);
+/* The verdict on two frames with all axes, by p's inverse, which is found anew as the article's
+ * program does; UNKNOWN if p has none that is large enough for it, or more rows arise than any
+ * study wants. box, unless NULL, is written if they meet. Errors: MEMORY. */
+fmb_status study_article_test(study_article *w, const fmb_frame *p, const fmb_frame *q,
+                              study_article_box_kind kind, study_article_box *box,
+                              fmb_verdict *out);
 
 #endif

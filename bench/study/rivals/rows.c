@@ -4,32 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "study/rivals/seen_frame.h"
+
 enum { D = STUDY_ROWS_MOST_DIM };
 
 /* ---- the inverse ----------------------------------------------------------------------------- */
-
-/* Two and three axes: cofactors over the determinant, which is returned. */
-static double invert_by_cofactors(int dim, const double *a, double *to)
-{
-    double det;
-    if (dim == 2) {
-        det = a[0] * a[3] - a[1] * a[2];
-        to[0] = a[3] / det;
-        to[1] = -a[2] / det;
-        to[2] = -a[1] / det;
-        to[3] = a[0] / det;
-        return det;
-    }
-    for (int i = 0; i < 3; i++) {
-        const double *p = a + 3 * ((i + 1) % 3), *q = a + 3 * ((i + 2) % 3);
-        for (int j = 0; j < 3; j++)
-            to[3 * i + j] = p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
-    }
-    det = a[0] * to[0] + a[1] * to[1] + a[2] * to[2];
-    for (int i = 0; i < 9; i++)
-        to[i] /= det;
-    return det;
-}
 
 static void swap_rows(double *p, double *q, int n)
 {
@@ -69,8 +48,7 @@ static double reduce(int dim, double w[D][2 * D])
     return det;
 }
 
-/* Rows of `axes` are axes, so column i of its inverse is 1 on axis i and 0 on the others. */
-static double invert_by_elimination(int dim, const double *a, double *to)
+double study_rows_invert_by_elimination(int dim, const double *a, double *to)
 {
     double w[D][2 * D] = {{0}};
     for (int i = 0; i < dim; i++) {
@@ -84,59 +62,7 @@ static double invert_by_elimination(int dim, const double *a, double *to)
     return det;
 }
 
-bool study_rows_invert(const fmb_frame *p, double least, study_rows_inverse *out)
-{
-    double det = p->dim == 2 || p->dim == 3 ? invert_by_cofactors(p->dim, p->axes, out->to)
-                                            : invert_by_elimination(p->dim, p->axes, out->to);
-    return out->exists = fabs(det) >= least && det != 0;
-}
-
 /* ---- the rows -------------------------------------------------------------------------------- */
-
-/* Inlined, so that the usual numbers of dimensions are constants. */
-#define ROWS_INLINE static inline __attribute__((always_inline))
-
-ROWS_INLINE double dot(int dim, const double *x, const double *y)
-{
-    double sum = 0;
-    for (int j = 0; j < dim; j++)
-        sum += x[j] * y[j];
-    return sum;
-}
-
-ROWS_INLINE void project(int dim, const double *inverse, const fmb_frame *p, const fmb_frame *q,
-                         study_rows_image *out)
-{
-    double shift[D], drift[D];
-    bool moves = p->speed || q->speed;
-    for (int j = 0; j < dim; j++) {
-        shift[j] = q->origin[j] - p->origin[j];
-        if (moves)
-            drift[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
-    }
-    for (int i = 0; i < dim; i++) {
-        out->base[i] = dot(dim, inverse + i * dim, shift);
-        for (int k = 0; k < dim; k++)
-            out->to[i][k] = dot(dim, inverse + i * dim, q->axes + k * dim);
-        if (moves)
-            out->to[i][dim] = dot(dim, inverse + i * dim, drift);
-    }
-}
-
-void study_rows_see(const study_rows_inverse *inverse, const fmb_frame *p, const fmb_frame *q,
-                    study_rows_image *out)
-{
-    switch (p->dim) {
-    case 2:
-        project(2, inverse->to, p, q, out);
-        break;
-    case 3:
-        project(3, inverse->to, p, q, out);
-        break;
-    default:
-        project(p->dim, inverse->to, p, q, out);
-    }
-}
 
 static double *next_row(study_rows *s)
 {
@@ -191,10 +117,8 @@ static void put_bounds(const fmb_frame *q, study_rows *s)
 bool study_rows_make(const fmb_frame *p, const fmb_frame *q, double least, study_rows *out)
 {
     study_rows_image x;
-    study_rows_inverse inverse;
-    if (!study_rows_invert(p, least, &inverse))
+    if (!study_rows_see(p->dim, p, q, least, &x))
         return false;
-    study_rows_see(&inverse, p, q, &x);
     out->n = p->dim + (p->speed || q->speed);
     out->m = 0;
     put_facets(p, &x, out);

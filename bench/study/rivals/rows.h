@@ -28,19 +28,6 @@ typedef struct study_rows_image {
     double base[STUDY_ROWS_MOST_DIM], to[STUDY_ROWS_MOST_DIM][STUDY_ROWS_MOST_DIM + 1];
 } study_rows_image;
 
-/* Numbers i * dim ... are the functional that is 1 on axis i and 0 on the others. */
-typedef struct study_rows_inverse {
-    bool exists;
-    double to[STUDY_ROWS_MOST_DIM * STUDY_ROWS_MOST_DIM];
-} study_rows_inverse;
-
-/* Whether there is one: false if |det p| < least or 0. p has all axes. */
-bool study_rows_invert(const fmb_frame *p, double least, study_rows_inverse *out);
-
-/* By the inverse of p, which exists. */
-void study_rows_see(const study_rows_inverse *inverse, const fmb_frame *p, const fmb_frame *q,
-                    study_rows_image *out);
-
 /* Rows of p's lower ends, its upper ends, q's upper ends, its lower ends, those of time. Both
  * frames have all axes of at most STUDY_ROWS_MOST_DIM. False if p has no inverse. */
 bool study_rows_make(const fmb_frame *p, const fmb_frame *q, double least, study_rows *out);

@@ -183,12 +183,10 @@ static void compare_article(int dim, bool moves, size_t n, tally *t)
         study_pair_draw(&plan, 3, i, &pair);
         fmb_verdict truth = asked(k, &pair.p, &pair.q, tight);
         ++*(truth == FMB_FEASIBLE ? &t->meeting : &t->apart);
-        study_rows_inverse inverse;
-        study_article_invert(&pair.p, &inverse);
         for (int kind = 0; kind < 2; kind++) {
             study_article_box box;
-            must(study_article_test(w, &inverse, &pair.p, &pair.q, (study_article_box_kind)kind,
-                                    &box, &found));
+            must(study_article_test(w, &pair.p, &pair.q, (study_article_box_kind)kind, &box,
+                                    &found));
             cr_expect_eq(found, truth, "D%d %d %d", dim, moves, (int)i);
             if (found != FMB_FEASIBLE || truth != FMB_FEASIBLE)
                 continue;
@@ -227,11 +225,9 @@ Test(rivals, the_article_forgets_a_corner)
 static fmb_verdict by_article(const fmb_frame *p, const fmb_frame *q)
 {
     study_article *w = NULL;
-    study_rows_inverse inverse;
     fmb_verdict found;
-    study_article_invert(p, &inverse);
     must(study_article_new(&w));
-    must(study_article_test(w, &inverse, p, q, STUDY_ARTICLE_PUBLISHED, NULL, &found));
+    must(study_article_test(w, p, q, STUDY_ARTICLE_PUBLISHED, NULL, &found));
     study_article_free(w);
     return found;
 }
