@@ -33,6 +33,12 @@ fmb_status fmb_arrays(fmb_mem *m, bool get, const fmb_array *array, size_t n);
 #define FMB_ARRAYS(m, get, ...)                                                                    \
     fmb_arrays(m, get, (const fmb_array[]){__VA_ARGS__},                                           \
                sizeof((const fmb_array[]){__VA_ARGS__}) / sizeof(fmb_array))
+/* The same in one block, for arrays that are all put as they were got: then each is where the first
+ * one's block is, and is never put or grown alone. */
+fmb_status fmb_arrays_in_block(fmb_mem *m, bool get, const fmb_array *array, size_t n);
+#define FMB_ARRAYS_IN_BLOCK(m, get, ...)                                                           \
+    fmb_arrays_in_block(m, get, (const fmb_array[]){__VA_ARGS__},                                  \
+                        sizeof((const fmb_array[]){__VA_ARGS__}) / sizeof(fmb_array))
 /* A list of them and how many. */
 #define FMB_ALL(arrays) (arrays), sizeof(arrays) / sizeof *(arrays)
 /* The same of those that have grown one by one, each to a capacity of its own. */

@@ -12,19 +12,20 @@
 static fmb_status hold_places(fmb_basis *b, bool get)
 {
     const size_t d = b->most_d;
-    return FMB_ARRAYS(b->mem, get, FMB_ARRAY(b->basic, d), FMB_ARRAY(b->old, d),
-                      FMB_ARRAY(b->edge, d), FMB_ARRAY_ZERO(b->value, d),
-                      FMB_ARRAY_ZERO(b->normal, d), FMB_ARRAY(b->entry, d), FMB_ARRAY(b->rest, d),
-                      FMB_ARRAY(b->length, d), FMB_ARRAY_ZERO(b->is_mirrored, d));
+    return FMB_ARRAYS_IN_BLOCK(
+        b->mem, get, FMB_ARRAY(b->basic, d), FMB_ARRAY(b->old, d), FMB_ARRAY(b->edge, d),
+        FMB_ARRAY_ZERO(b->value, d), FMB_ARRAY_ZERO(b->normal, d), FMB_ARRAY(b->entry, d),
+        FMB_ARRAY(b->rest, d), FMB_ARRAY(b->length, d), FMB_ARRAY_ZERO(b->is_mirrored, d));
 }
 
 /* Those of columns. */
 static fmb_status hold_columns(fmb_basis *b, bool get)
 {
     const size_t n = b->capacity;
-    return FMB_ARRAYS(b->mem, get, FMB_ARRAY(b->at, b->most_d * n), FMB_ARRAY(b->range, n),
-                      FMB_ARRAY(b->is_high, n), FMB_ARRAY(b->is_basic, n), FMB_ARRAY(b->price, n),
-                      FMB_ARRAY(b->gain, n), FMB_ARRAY(b->cost, n), FMB_ARRAY(b->candidate, n));
+    return FMB_ARRAYS_IN_BLOCK(b->mem, get, FMB_ARRAY(b->at, b->most_d * n), FMB_ARRAY(b->range, n),
+                               FMB_ARRAY(b->is_high, n), FMB_ARRAY(b->is_basic, n),
+                               FMB_ARRAY(b->price, n), FMB_ARRAY(b->gain, n), FMB_ARRAY(b->cost, n),
+                               FMB_ARRAY(b->candidate, n));
 }
 
 fmb_status fmb_basis_init(fmb_basis *b, fmb_mem *mem, const fmb_kernels *kernels, size_t d)

@@ -6,20 +6,25 @@
 
 #include "base/arrays.h"
 
+static fmb_status hold_inverse(fmb_dense_inverse *v, fmb_mem *mem, bool get)
+{
+    const size_t n = v->most_n;
+    return FMB_ARRAYS_IN_BLOCK(mem, get, FMB_ARRAY(v->at, n * n), FMB_ARRAY(v->work, n),
+                               FMB_ARRAY(v->is_unit, n));
+}
+
 fmb_status fmb_dense_inverse_init(fmb_dense_inverse *v, fmb_mem *mem, const fmb_kernels *kernels,
                                   size_t n)
 {
     *v = (fmb_dense_inverse){.kernels = kernels, .most_n = n};
-    FMB_TRY(FMB_ARRAYS(mem, true, FMB_ARRAY(v->at, n * n), FMB_ARRAY(v->work, n),
-                       FMB_ARRAY(v->is_unit, n)));
+    FMB_TRY(hold_inverse(v, mem, true));
     fmb_dense_inverse_restart(v, n);
     return FMB_OK;
 }
 
 void fmb_dense_inverse_clear(fmb_dense_inverse *v, fmb_mem *mem)
 {
-    FMB_ARRAYS_PUT(mem, FMB_ARRAY(v->at, v->most_n * v->most_n), FMB_ARRAY(v->work, v->most_n),
-                   FMB_ARRAY(v->is_unit, v->most_n));
+    (void)hold_inverse(v, mem, false);
 }
 
 void fmb_dense_inverse_restart(fmb_dense_inverse *v, size_t n)

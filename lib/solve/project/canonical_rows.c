@@ -36,9 +36,9 @@ typedef struct echelon {
 
 static fmb_status hold_arrays(echelon *e, bool get)
 {
-    return FMB_ARRAYS(e->c->q->run.mem, get, FMB_ARRAY_ZERO(e->row, e->size),
-                      FMB_ARRAY_ZERO(e->of, e->size), FMB_ARRAY(e->at, e->size),
-                      FMB_ARRAY(e->pivot, e->size));
+    return FMB_ARRAYS_IN_BLOCK(e->c->q->run.mem, get, FMB_ARRAY_ZERO(e->row, e->size),
+                               FMB_ARRAY_ZERO(e->of, e->size), FMB_ARRAY(e->at, e->size),
+                               FMB_ARRAY(e->pivot, e->size));
 }
 
 static fmb_status open_echelon(echelon *e)

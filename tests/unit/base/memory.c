@@ -1,6 +1,7 @@
 /* memory.c: the allocator counts, obeys its limit, and the arena hands out what it promises. */
 #include <criterion/criterion.h>
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -185,6 +186,48 @@ Test(arrays, come_and_go_together)
             cr_assert(m.used == 0 && !b.place && !b.weight && !b.met);
         }
     }
+}
+
+static fmb_status hold_body_in_block(fmb_mem *m, body *b, bool get)
+{
+    return FMB_ARRAYS_IN_BLOCK(m, get, FMB_ARRAY(b->met, 3), FMB_ARRAY_ZERO(b->weight, 20),
+                               FMB_ARRAY(b->place, 0));
+}
+
+/* One block, of which each array has its own part, for any type; or none, and no pointer. */
+Test(arrays, come_and_go_in_one_block)
+{
+    const size_t unit = _Alignof(max_align_t), whole = unit + 20 * sizeof(double);
+    for (size_t limit = whole - 1; limit <= whole; limit++) {
+        body b;
+        fmb_mem m;
+        fmb_mem_init(&m, NULL, limit);
+        bool there = limit == whole;
+        cr_assert_eq(hold_body_in_block(&m, &b, true), there ? FMB_OK : FMB_LIMIT);
+        cr_assert_eq(m.used, there ? whole : 0);
+        cr_assert(!b.met == !there && !b.weight == !there && !b.place == !there);
+        if (there)
+            memset(b.met, 1, 3);
+        for (int i = 0; there && i < 20; i++)
+            cr_assert_eq(b.weight[i], 0);
+        cr_assert(!there || (uintptr_t)b.weight % unit == 0);
+        for (int k = 0; k < 2; k++) {
+            cr_assert_eq(hold_body_in_block(&m, &b, false), FMB_OK);
+            cr_assert(m.used == 0 && !b.place && !b.weight && !b.met);
+        }
+    }
+}
+
+/* As many bytes as no number says are no few bytes. */
+Test(arrays, in_one_block_do_not_wrap)
+{
+    fmb_mem m;
+    body b = {.place = NULL, .weight = NULL, .met = NULL};
+    fmb_mem_init(&m, NULL, 0);
+    for (size_t n = SIZE_MAX / 8 - 1; n <= SIZE_MAX / 8 + 1; n++)
+        cr_assert_neq(FMB_ARRAYS_IN_BLOCK(&m, true, FMB_ARRAY(b.weight, n), FMB_ARRAY(b.met, 40)),
+                      FMB_OK);
+    cr_assert(m.used == 0 && !b.weight && !b.met);
 }
 
 Test(words, every_status_verdict_and_stop_has_one)

@@ -46,10 +46,10 @@ void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem)
 static fmb_status hold_arrays_of_search(fmb_active_set *s, bool get)
 {
     const size_t m = s->of->m;
-    return FMB_ARRAYS(s->run->mem, get, FMB_ARRAY_ZERO(s->gone, m), FMB_ARRAY_ZERO(s->kept, m),
-                      FMB_ARRAY(s->target, s->of->d), FMB_ARRAY(s->price, m),
-                      FMB_ARRAY(s->way, s->of->n), FMB_ARRAY(s->speed, m), FMB_ARRAY(s->number, m),
-                      FMB_ARRAY(s->source, m + 1));
+    return FMB_ARRAYS_IN_BLOCK(
+        s->run->mem, get, FMB_ARRAY_ZERO(s->gone, m), FMB_ARRAY_ZERO(s->kept, m),
+        FMB_ARRAY(s->target, s->of->d), FMB_ARRAY(s->price, m), FMB_ARRAY(s->way, s->of->n),
+        FMB_ARRAY(s->speed, m), FMB_ARRAY(s->number, m), FMB_ARRAY(s->source, m + 1));
 }
 
 fmb_status fmb_active_set_init(fmb_active_set *s, fmb_run *run, const fmb_scaled_rows *of,

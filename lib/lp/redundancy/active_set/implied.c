@@ -91,8 +91,8 @@ static void copy_entries_of_columns(nonzero_columns *t, const column *from, cons
 
 static fmb_status hold_nonzero_columns(nonzero_columns *t, bool get)
 {
-    return FMB_ARRAYS(t->mem, get, FMB_ARRAY(t->row, t->m), FMB_ARRAY(t->v, t->m),
-                      FMB_ARRAY(t->entry, t->m * (t->n + 1)));
+    return FMB_ARRAYS_IN_BLOCK(t->mem, get, FMB_ARRAY(t->row, t->m), FMB_ARRAY(t->v, t->m),
+                               FMB_ARRAY(t->entry, t->m * (t->n + 1)));
 }
 
 /* Rows over n columns, all of them small (num/vec.h). Errors: MEMORY, LIMIT. */

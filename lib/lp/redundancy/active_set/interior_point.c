@@ -113,9 +113,9 @@ static void write_unit_row(fmb_interior_point *p, size_t i)
 
 static fmb_status hold_arrays_of_point(fmb_interior_point *p, bool get)
 {
-    return FMB_ARRAYS(p->run->mem, get, FMB_ARRAY_ZERO(p->x, p->n), FMB_ARRAY(p->slack, p->m),
-                      FMB_ARRAY(p->unit, (p->n + 1) * p->m), FMB_ARRAY(p->entry, p->n * p->m),
-                      FMB_ARRAY(p->excess, p->m));
+    return FMB_ARRAYS_IN_BLOCK(p->run->mem, get, FMB_ARRAY_ZERO(p->x, p->n),
+                               FMB_ARRAY(p->slack, p->m), FMB_ARRAY(p->unit, (p->n + 1) * p->m),
+                               FMB_ARRAY(p->entry, p->n * p->m), FMB_ARRAY(p->excess, p->m));
 }
 
 static fmb_status open_inside_point(fmb_interior_point *p)

@@ -10,17 +10,21 @@
 #define MOST_ONE 4096
 #define MOST_ALL ((int64_t)1 << 31)
 
+static fmb_status hold_arrays_of_proof(fmb_rounded_proof *c, fmb_mem *mem, bool get)
+{
+    return FMB_ARRAYS_IN_BLOCK(mem, get, FMB_ARRAY(c->index, c->room), FMB_ARRAY(c->part, c->room),
+                               FMB_ARRAY(c->unit, c->room));
+}
+
 fmb_status fmb_rounded_proof_init(fmb_rounded_proof *c, fmb_mem *mem, size_t room)
 {
     *c = (fmb_rounded_proof){.room = room};
-    return FMB_ARRAYS(mem, true, FMB_ARRAY(c->index, room), FMB_ARRAY(c->part, room),
-                      FMB_ARRAY(c->unit, room));
+    return hold_arrays_of_proof(c, mem, true);
 }
 
 void fmb_rounded_proof_clear(fmb_rounded_proof *c, fmb_mem *mem)
 {
-    FMB_ARRAYS_PUT(mem, FMB_ARRAY(c->index, c->room), FMB_ARRAY(c->part, c->room),
-                   FMB_ARRAY(c->unit, c->room));
+    (void)hold_arrays_of_proof(c, mem, false);
 }
 
 void fmb_rounded_proof_begin(fmb_rounded_proof *c)
