@@ -138,6 +138,7 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
     FMB_TRY(fmb_rays_reserve_bits(&c->ray, c->bits + 1));
     FMB_TRY(FMB_RESERVE(c->run->mem, &s->ray, &s->ray_capacity, rays));
     FMB_TRY(FMB_RESERVE(c->run->mem, &s->sign, &s->sign_capacity, rays));
+    fmb_run_count(c->run, 300 + 6 * rays);
     s->entry = entry;
     s->row = row;
     s->rays = rays;
@@ -178,7 +179,7 @@ static fmb_status prepare_pairs(fmb_cone *c)
 {
     fmb_status st = fmb_adjacency_begin(c);
     size_t edges = c->at->by_edges ? (c->at->small + c->at->large) * c->rank : 0;
-    fmb_run_count(c->run, 20 * edges + 4 * c->at->rays);
+    fmb_run_count(c->run, 300 + 20 * edges + 8 * c->at->rays);
     return st == FMB_OK && edges > 0 ? fmb_insertion_find_edges(c) : st;
 }
 

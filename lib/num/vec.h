@@ -59,7 +59,7 @@ static inline uint64_t fmb_vec_work(const fmb_vec *v, size_t n)
     if (!v->z)
         return n * (v->bits > 31 ? 45 : 4);
     size_t limbs = v->limbs / n > 2 ? v->limbs / n - 2 : 1; /* as fmb_vec_settle counts them */
-    return n * fmb_limbs_work(limbs / 2) + 2 * fmb_gcd_work(limbs);
+    return n * (fmb_limbs_work(limbs / 2) + fmb_limbs_work(limbs)) + 2 * fmb_gcd_work(limbs);
 }
 static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
 {

@@ -31,7 +31,7 @@ SINGLES = ("elimination", "double description", "support queries")
 ENGINES = ("rays alone", "pruned elimination alone", "queries alone")  # as in selection.h
 BOUNDED = "bounded elimination first"
 LEAST = 1e-5  # [s] less is not told apart
-STEP = 1.5e-9  # [s] that a step of work takes (lib/trace/run.h)
+STEP = 0.8e-9  # [s] that a step of work takes (lib/trace/run.h)
 GROUPS = 11  # of families, one held out at a time
 SEEDS = 4  # one of so many held out at a time
 RIDGE = 300.0  # so many problems hold each weight at 0
@@ -245,6 +245,19 @@ def line(name, r):
           f"{100 * (r > math.log(3)).mean():.1f} | {math.exp(r.max()):.1f} |", flush=True)
 
 
+def report_steps(problems):
+    """[ns] that a step of each engine takes, where it took long enough to be told: STEP is about the
+    mean of all, and each is near it (lib/trace/run.h)."""
+    for engine in ENGINES:
+        for digits, numbers in ((0, "short"), (9, "long")):
+            ns = [1e9 * p["took"][engine] / p["steps"][engine] for p in problems
+                  if p["digits"] == digits and p["took"][engine] > 3 * LEAST
+                  and p.get("steps", {}).get(engine, 0) > 0]
+            if len(ns) > 9:
+                print(f"{engine}, {numbers} numbers: {len(ns)} problems, a step takes %.2f ns, 80 %% of "
+                      "them %.2f to %.2f" % tuple(numpy.quantile(ns, (0.5, 0.1, 0.9))))
+
+
 # ---- the table ----------------------------------------------------------------------------------
 
 BEGIN = "/* Made by `ninja fit-selection`; do not edit from here. */"
@@ -298,7 +311,9 @@ def main():
                            stdout=out, check=True)
     path = os.path.join(a.source, "lib/solve/portfolio/selection.c")
     names = names_of(os.path.join(a.source, "lib/solve/prepare/features.h"), "F")
-    data = Data(read(a.data, names), names)
+    problems = read(a.data, names)
+    report_steps(problems)
+    data = Data(problems, names)
     commit = subprocess.run(["git", "-C", a.source, "rev-parse", "--short", "HEAD"],
                             capture_output=True, text=True, check=False).stdout.strip()
     families = numpy.unique(data.family)

@@ -69,7 +69,7 @@ static const char *name_of_arm(int arm)
     return arm < SINGLES ? SINGLE[arm].name : MORE[arm - SINGLES];
 }
 
-#define STEP 1.5e-9 /* [s] that a step of work takes */
+#define STEP 0.8e-9 /* [s] that a step of work takes */
 
 /* The engine that ended first, or the first one. */
 static int find_best_engine(const double *took)
@@ -186,8 +186,15 @@ static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int
 #define AS_GOOD    1.1
 #define LEAST_WAIT 0.01 /* [s] */
 
+/* [steps] that the engine asked last has taken, which goes on where it stopped. */
+static void note_steps(void *steps, const fmb_event *e)
+{
+    if (e->kind == FMB_EVENT_ENGINE && e->attempt->spent > 0)
+        *(uint64_t *)steps = e->attempt->spent;
+}
+
 static double time_arm(int arm, const fmb_choice *c, const fmb_system *s, const int *keep, int kept,
-                       double seconds)
+                       double seconds, uint64_t *steps)
 {
     fmb_options o = {.size = sizeof o, .evidence = FMB_EVIDENCE_NONE};
     fmb_solver *v;
@@ -196,6 +203,7 @@ static double time_arm(int arm, const fmb_choice *c, const fmb_system *s, const 
     fmb_selection_forced = arm < SINGLES ? NULL : c;
     if (fmb_solver_new(&o, NULL, &v) != FMB_OK)
         fail("no memory");
+    fmb_solver_set_sink(v, (fmb_sink){note_steps, steps});
     double least = time_once(v, s, keep, kept, seconds), total = least;
     for (int i = 1; least >= 0 && i < MOST_RUNS && total < LONG_ENOUGH; i++) {
         double next = time_once(v, s, keep, kept, seconds);
@@ -225,7 +233,8 @@ static double limit_behind(const setup *u, double least)
 
 typedef struct arm_times {
     double took[MOST_ARMS]; /* [s], or minus the time after which it was not waited for */
-    bool bounded;           /* bounded elimination answered */
+    uint64_t steps[MOST_ARMS];
+    bool bounded; /* bounded elimination answered */
 } arm_times;
 
 static void time_arms(const setup *u, const fmb_system *s, const int *keep, int kept, heard *h,
@@ -234,14 +243,15 @@ static void time_arms(const setup *u, const fmb_system *s, const int *keep, int 
     const unsigned long long *answered = &fmb_ways_at_hand->answered[FMB_WAY_BOUNDED_GROWTH];
     double *took = t->took;
     double least = u->seconds;
+    uint64_t steps = 0;
     fmb_features_watch = (fmb_features_watcher){hear_part, h};
-    (void)time_arm(0, NULL, s, keep, kept, u->seconds > 0 ? u->seconds : LEAST_WAIT);
+    (void)time_arm(0, NULL, s, keep, kept, u->seconds > 0 ? u->seconds : LEAST_WAIT, &steps);
     fmb_features_watch = (fmb_features_watcher){NULL, NULL};
     for (int arm = 0; h->any && u->seconds > 0 && arm < count_arms(u); arm++) {
         double limit = limit_behind(u, least);
         fmb_choice c = arm < SINGLES ? (fmb_choice){.bounded = 0} : choice_of_arm(arm, took);
         unsigned long long before = *answered;
-        took[arm] = time_arm(arm, &c, s, keep, kept, limit);
+        took[arm] = time_arm(arm, &c, s, keep, kept, limit, &t->steps[arm]);
         t->bounded = c.bounded > 0 && *answered > before;
         if (took[arm] < 0)
             took[arm] = -limit;
@@ -250,10 +260,19 @@ static void time_arms(const setup *u, const fmb_system *s, const int *keep, int 
     }
 }
 
+static void print_steps(const arm_times *t)
+{
+    for (int arm = SINGLES; arm < BOUNDED; arm++)
+        printf("%s\"%s\": %" PRIu64, arm > SINGLES ? ", " : "}, \"steps\": {", name_of_arm(arm),
+               t->steps[arm]);
+}
+
 static void print_times(const setup *u, const arm_times *t)
 {
     for (int arm = 0; arm < count_arms(u); arm++)
         printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(arm), t->took[arm]);
+    if (count_arms(u) == MOST_ARMS)
+        print_steps(t);
     if (count_arms(u) == MOST_ARMS)
         printf("}, \"answered\": {\"%s\": %s", name_of_arm(BOUNDED), t->bounded ? "true" : "false");
     putchar('}');

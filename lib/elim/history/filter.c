@@ -104,7 +104,7 @@ fmb_status fmb_filter_drop_larger(fmb_elim *e, uint32_t row, const uint32_t *upp
                                   int most, uint64_t *drop)
 {
     fmb_status st = lay_out_uppers(e, upper, uppers);
-    fmb_run_count(e->run, e->words * uppers / 4);
+    fmb_run_count(e->run, 50 + e->words * uppers / 4);
     if (st == FMB_OK)
         e->run->kernels->larger(&e->filter->uppers.planes, e->row[row].history, most, drop);
     return st;
@@ -128,7 +128,7 @@ fmb_status fmb_filter_drop_covered(fmb_elim *e, uint32_t row, const uint32_t *up
         const uint64_t *b = e->row[upper[j]].history;
         for (size_t k = 0; k < e->words; k++)
             u[k] = a[k] | b[k];
-        fmb_run_count(e->run, 10 + e->words * e->filter->rows.planes.count / 8);
+        fmb_run_count(e->run, 50 + e->words * e->filter->rows.planes.count / 8);
         if (e->run->kernels->inside(&e->filter->rows.planes, u, 3) >= 3)
             drop[j / 64] |= bit;
         st = fmb_run_poll(e->run);

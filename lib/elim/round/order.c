@@ -173,6 +173,7 @@ fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var)
         return ask_chooser(e, candidate, candidates, var);
     occurrence *c;
     FMB_TRY(FMB_GET_ZERO(mem, c, n));
+    fmb_run_count(e->run, 50 + e->live.size * (5 + 2 * n));
     for (size_t i = 0; i < e->live.size; i++)
         count_row_occurrences(e, &e->row[e->live.row[i]], c);
     *var = find_cheapest_candidate(e, c, candidate, candidates);

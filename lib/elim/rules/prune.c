@@ -126,6 +126,7 @@ static fmb_status ask_at_end_of_round(fmb_elim *e, fmb_worker *worker, int var)
     bool *drop;
     FMB_TRY(FMB_GET_ZERO(mem, drop, rows));
     fmb_window_open(&w, e, worker->rule, var);
+    fmb_run_count(e->run, rows * (20 + 2 * (size_t)e->n));
     fmb_status said = worker->rule->end_round(worker->state, &w.view, drop);
     fmb_status st = fmb_window_close(&w);
     st = st != FMB_OK ? st : said;

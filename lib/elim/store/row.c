@@ -122,7 +122,7 @@ fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
         return st;
     }
     note_variables_of_row(e, r);
-    fmb_run_count(e->run, 60 + fmb_vec_work(&r->v, (size_t)e->n + 1));
+    fmb_run_count(e->run, 200 + fmb_vec_work(&r->v, (size_t)e->n + 1));
     e->run->stats.rows_made++;
     return FMB_OK;
 }

@@ -40,7 +40,7 @@ static fmb_status find_side(fmb_facets *f, uint32_t at)
 {
     fmb_facet *a = &f->facet[at];
     a->round = f->round;
-    fmb_run_count(f->run, 8 + 2 * f->d);
+    fmb_run_count(f->run, 20 + 2 * f->d);
     FMB_TRY(fmb_facets_side(f, at, &f->g, f->near, &a->side));
     if (a->side < 0)
         FMB_TRY(fmb_facets_list(f, &f->seen, &f->seens, &f->seen_capacity, at));

@@ -116,6 +116,7 @@ static bool look_for_sure_facet(crowd *c, uint32_t i, const uint32_t *facet, siz
     const double *near = c->near + i * c->f->d;
     for (size_t k = 0; k < facets; k++) {
         int side;
+        fmb_run_count(c->f->run, 10 + c->f->d);
         bool sure = fmb_facets_guess_side(c->f, &c->f->facet[facet[k]], near, &side);
         *doubtful |= !sure;
         if (sure && side < 0) {

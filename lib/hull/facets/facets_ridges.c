@@ -175,7 +175,7 @@ static fmb_status join_near(fmb_facets *f, size_t i)
 /* Steps of candidate i where holders are listed. */
 static size_t work_of_near(const fmb_facets *f, size_t i)
 {
-    return 50 + f->facet[candidate(f, i)].ons * least_in_common(f) * f->holder_words / 2;
+    return 150 + 2 * i + f->facet[candidate(f, i)].ons * least_in_common(f) * f->holder_words;
 }
 
 fmb_status fmb_facets_join_new(fmb_facets *f)
@@ -184,7 +184,7 @@ fmb_status fmb_facets_join_new(fmb_facets *f)
     FMB_TRY(listed ? list_holders(f) : FMB_OK);
     for (size_t i = 1; i < count_candidates(f); i++) {
         f->pairs += i;
-        fmb_run_count(f->run, listed ? work_of_near(f, i) : i * (3 + f->words));
+        fmb_run_count(f->run, listed ? work_of_near(f, i) : 50 + i * (10 + 2 * f->words));
         if (f->most_pairs > 0 && f->pairs > f->most_pairs)
             return FMB_LIMIT;
         FMB_TRY(listed ? join_near(f, i) : join_each(f, i));

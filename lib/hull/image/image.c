@@ -101,6 +101,7 @@ static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_
     m->above[m->rays] = m->of ? v : NULL;
     fmb_status st = fmb_image_copy_coordinates(m, &m->ray[m->rays], v);
     m->has_point |= st == FMB_OK && fmb_vec_sgn(&m->ray[m->rays], m->n - 1) > 0;
+    fmb_run_count(m->run, 150 + fmb_vec_work(&m->ray[m->rays], m->n));
     m->rays++;
     return st == FMB_OK ? fmb_run_poll(m->run) : st;
 }

@@ -127,6 +127,7 @@ static fmb_status note_end(fmb_oracle *o, fmb_status st, fmb_pivot_walk_end end,
 fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out)
 {
     fmb_pivot_walk_end end;
+    fmb_run_count(o->run, 500);
     fmb_closure_begin(o);
     fmb_status st = fmb_closure_approach(o, cost, &end);
     return note_end(o, st, end, out);

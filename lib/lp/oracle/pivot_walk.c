@@ -193,7 +193,7 @@ static fmb_status find_blocking_row(fmb_pivot_walk *w, size_t *block)
         FMB_TRY(fmb_run_poll(v->run));
         int slope = slope_of_row(w, i);
         fmb_run_count(v->run, v->p->row[i].size * (20 + 2 * mpz_size(w->ray_den)) +
-                                  fmb_limbs_work(mpz_size(w->ray_den)));
+                                  fmb_limbs_work(3 * mpz_size(w->ray_den) / 2));
         FMB_TRY(fmb_run_poll_long(v->run, w->num));
         if (slope == 0 || (slope < 0 && v->p->row[i].rel != FMB_EQ))
             continue;

@@ -203,7 +203,7 @@ fmb_status fmb_vertex_find_violated(fmb_vertex *v, bool first, size_t *row, int 
             continue;
         FMB_TRY(fmb_run_poll(v->run));
         int s = violation_sign(v, i, &depth);
-        fmb_run_count(v->run, 10 + 2 * v->p->row[i].size);
+        fmb_run_count(v->run, 40 + 4 * v->p->row[i].size);
         FMB_TRY(fmb_run_poll_long(v->run, v->sum));
         if (s == 0 || depth <= most)
             continue;
@@ -254,7 +254,7 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
         if (v->p->row[i].off)
             continue;
         double slack = rough_slack(v->p, i, roughly, whole, &sure);
-        fmb_run_count(v->run, 10 + 2 * v->p->row[i].size);
+        fmb_run_count(v->run, 40 + 4 * v->p->row[i].size);
         int sign = sure ? (slack > 0) - (slack < 0) : slack_sign_at(v, i, x, den);
         *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT ? sign > 0 : sign >= 0;
         FMB_TRY(fmb_run_poll_step(v->run, mpz_size(v->sum) >= FMB_LONG_LIMBS));

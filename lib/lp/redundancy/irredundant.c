@@ -19,14 +19,15 @@
 #include "num/integers.h"
 #include "num/rationals.h"
 
-typedef struct pruner {
+struct fmb_pruner {
     fmb_run *run;
     size_t n, m;
     const fmb_lp_row *row;
     fmb_fate *fate;
     const fmb_verdicts *told;
     bool as_given; /* no inequality becomes an equality */
-    bool pauses;   /* may end where a slice of the run is over */
+    bool pauses;   /* may stop where a slice of the run is over */
+    size_t left;   /* rows not yet looked at: the first ones */
     bool any_strict;
     bool *feasible;
     fmb_program all, equal; /* every row, those gone being off; the equalities that stay */
@@ -38,11 +39,11 @@ typedef struct pruner {
     mpz_t den, sum;
     mpq_t *inner, *x;    /* [n] a solution; scratch: a point that is told */
     fmb_weights form, w; /* scratch */
-} pruner;
+};
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static void close_pruner(pruner *p)
+static void close_pruner(fmb_pruner *p)
 {
     fmb_mem *mem = p->run->mem;
     fmb_oracle_free(p->over_all);
@@ -59,7 +60,7 @@ static void close_pruner(pruner *p)
     mpz_clears(p->den, p->sum, NULL);
 }
 
-static fmb_status load_all_rows(pruner *p)
+static fmb_status load_all_rows(fmb_pruner *p)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < p->m; i++) {
@@ -72,7 +73,7 @@ static fmb_status load_all_rows(pruner *p)
     return st == FMB_OK ? fmb_oracle_new(p->run, &p->equal, &p->over_equal) : st;
 }
 
-static fmb_status open_pruner(pruner *p)
+static fmb_status open_pruner(fmb_pruner *p)
 {
     fmb_mem *mem = p->run->mem;
     fmb_program_init(&p->all, mem, (int)p->n);
@@ -89,7 +90,7 @@ static fmb_status open_pruner(pruner *p)
 /* ---- forms ----------------------------------------------------------------------------------- */
 
 /* Sign of a_i.x - b_i where the oracle stands. */
-static int sign_of_excess(pruner *p, size_t i)
+static int sign_of_excess(fmb_pruner *p, size_t i)
 {
     fmb_oracle_point_integers(p->over_all, p->point.z, p->den);
     fmb_vec_get(p->row[i].v, p->n, p->sum);
@@ -99,7 +100,7 @@ static int sign_of_excess(pruner *p, size_t i)
     return mpz_sgn(p->sum);
 }
 
-static fmb_status write_form(pruner *p, size_t i)
+static fmb_status write_form(fmb_pruner *p, size_t i)
 {
     const fmb_program_row *r = &p->all.row[i];
     fmb_status st = FMB_OK;
@@ -116,7 +117,7 @@ static fmb_status write_form(pruner *p, size_t i)
 
 /* How large can a_i.x - b_i be, which is bounded? Where it is positive, the first point seen is
  * enough. */
-static fmb_status push_row(pruner *p, size_t i, int *excess)
+static fmb_status push_row(fmb_pruner *p, size_t i, int *excess)
 {
     fmb_oracle_end end;
     fmb_status st = write_form(p, i);
@@ -131,7 +132,8 @@ static fmb_status push_row(pruner *p, size_t i, int *excess)
 
 /* Tell of row i, with the multipliers of the last optimum; place numbers its rows, NULL: as here.
  */
-static fmb_status tell_with_weights(pruner *p, const fmb_oracle *o, size_t i, const size_t *place,
+static fmb_status tell_with_weights(fmb_pruner *p, const fmb_oracle *o, size_t i,
+                                    const size_t *place,
                                     fmb_status (*whom)(void *, size_t, const fmb_weights *))
 {
     if (!whom)
@@ -143,19 +145,19 @@ static fmb_status tell_with_weights(pruner *p, const fmb_oracle *o, size_t i, co
     return st == FMB_OK ? whom(p->told->self, i, &p->w) : st;
 }
 
-static void leave_out_row(pruner *p, size_t i)
+static void leave_out_row(fmb_pruner *p, size_t i)
 {
     p->all.row[i].off = true;
     fmb_oracle_switch(p->over_all, i, false);
 }
 
-static void take_in_row(pruner *p, size_t i)
+static void take_in_row(fmb_pruner *p, size_t i)
 {
     p->all.row[i].off = false;
     fmb_oracle_switch(p->over_all, i, true);
 }
 
-static fmb_status drop_row_with_weights(pruner *p, const fmb_oracle *o, size_t i,
+static fmb_status drop_row_with_weights(fmb_pruner *p, const fmb_oracle *o, size_t i,
                                         const size_t *place)
 {
     p->fate[i] = FMB_FATE_REDUNDANT;
@@ -166,7 +168,7 @@ static fmb_status drop_row_with_weights(pruner *p, const fmb_oracle *o, size_t i
 /* ---- equalities ------------------------------------------------------------------------------ */
 
 /* Does an equality have a column that no other one has so far? Then it depends on none. */
-static bool names_new_column(pruner *p, size_t i)
+static bool names_new_column(fmb_pruner *p, size_t i)
 {
     const fmb_program_row *r = &p->all.row[i];
     bool news = false;
@@ -178,7 +180,7 @@ static bool names_new_column(pruner *p, size_t i)
 }
 
 /* Row i is an equality, and joins the others, unless it depends on them; *depends tells. */
-static fmb_status lock_row(pruner *p, size_t i, bool *depends)
+static fmb_status lock_row(fmb_pruner *p, size_t i, bool *depends)
 {
     const fmb_program_row *r = &p->all.row[i];
     fmb_oracle_end end = FMB_ORACLE_UNBOUNDED;
@@ -197,7 +199,7 @@ static fmb_status lock_row(pruner *p, size_t i, bool *depends)
 }
 
 /* The same, and it goes if it depends on them; else that becomes of it. */
-static fmb_status lock_or_drop_row(pruner *p, size_t i, fmb_fate fate)
+static fmb_status lock_or_drop_row(fmb_pruner *p, size_t i, fmb_fate fate)
 {
     bool depends;
     FMB_TRY(lock_row(p, i, &depends));
@@ -207,7 +209,7 @@ static fmb_status lock_or_drop_row(pruner *p, size_t i, fmb_fate fate)
     return FMB_OK;
 }
 
-static fmb_status lock_equalities(pruner *p)
+static fmb_status lock_equalities(fmb_pruner *p)
 {
     for (size_t i = 0; i < p->m; i++)
         if (p->row[i].rel == FMB_EQ && p->fate[i] != FMB_FATE_REDUNDANT)
@@ -216,13 +218,13 @@ static fmb_status lock_equalities(pruner *p)
 }
 
 /* May row i always be tight, as far as is known? */
-static bool is_row_open(const pruner *p, size_t i)
+static bool is_row_open(const fmb_pruner *p, size_t i)
 {
     return p->fate[i] == FMB_FATE_UNKNOWN && p->row[i].rel == FMB_LE;
 }
 
 /* Open rows are taken for strict ones, or not any more. */
-static size_t mark_open_rows(pruner *p, bool strict)
+static size_t mark_open_rows(fmb_pruner *p, bool strict)
 {
     size_t marked = 0;
     for (size_t i = 0; i < p->m; i++)
@@ -236,7 +238,7 @@ static size_t mark_open_rows(pruner *p, bool strict)
 
 /* A conflict, 0 = sum_k y_k a_k with the same of right sides, as the reverse of a row that it
  * names: -a_i = sum (y_k / y_i) a_k over the others. */
-static fmb_status tell_of_equality(pruner *p, const fmb_weights *y, size_t at)
+static fmb_status tell_of_equality(fmb_pruner *p, const fmb_weights *y, size_t at)
 {
     fmb_status st = FMB_OK;
     mpq_t t;
@@ -253,7 +255,7 @@ static fmb_status tell_of_equality(pruner *p, const fmb_weights *y, size_t at)
     return st == FMB_OK ? p->told->equality(p->told->self, y->index[at], &p->w) : st;
 }
 
-static fmb_status turn_row_into_equality(pruner *p, const fmb_weights *y, size_t at)
+static fmb_status turn_row_into_equality(fmb_pruner *p, const fmb_weights *y, size_t at)
 {
     size_t i = y->index[at];
     bool depends;
@@ -270,7 +272,7 @@ static fmb_status turn_row_into_equality(pruner *p, const fmb_weights *y, size_t
 /* There is a solution, but none that satisfies open rows strictly: those of the conflict are
  * equalities, and some are there. They go, if they do, once all proofs that name them are told. The
  * first ones stay, in whatever order the conflict has them. */
-static fmb_status take_equalities_of_conflict(pruner *p)
+static fmb_status take_equalities_of_conflict(fmb_pruner *p)
 {
     fmb_weights y = {0};
     fmb_status st = fmb_oracle_conflict(p->over_all, &y);
@@ -288,7 +290,7 @@ static fmb_status take_equalities_of_conflict(pruner *p)
 }
 
 /* All rows that are always tight. In the end the oracle has a point where no other is. */
-static fmb_status find_implicit_equalities(pruner *p)
+static fmb_status find_implicit_equalities(fmb_pruner *p)
 {
     fmb_status st = FMB_OK;
     bool room = false;
@@ -304,7 +306,7 @@ static fmb_status find_implicit_equalities(pruner *p)
 /* ---- inequalities ---------------------------------------------------------------------------- */
 
 /* The right side of row i becomes b_i + by. */
-static fmb_status move_right_side(pruner *p, size_t i, unsigned long by)
+static fmb_status move_right_side(fmb_pruner *p, size_t i, unsigned long by)
 {
     fmb_vec_get(p->row[i].v, p->n, p->sum);
     mpz_add_ui(p->sum, p->sum, by);
@@ -314,7 +316,7 @@ static fmb_status move_right_side(pruner *p, size_t i, unsigned long by)
 }
 
 /* out = a_i.x - b_i. */
-static void measure_excess(const pruner *p, size_t i, mpq_t *x, mpq_t out)
+static void measure_excess(const fmb_pruner *p, size_t i, mpq_t *x, mpq_t out)
 {
     const fmb_program_row *r = &p->all.row[i];
     mpq_t t;
@@ -331,7 +333,7 @@ static void measure_excess(const pruner *p, size_t i, mpq_t *x, mpq_t out)
 
 /* x is of the closure, and a_i.x - b_i = e > 0; at the inner point it is -s. A share of
  * (s + e/2) / (s + e) of the way from there to x it is e/2, and strict rows hold strictly. */
-static void go_half_way_to_inner(pruner *p, size_t i)
+static void go_half_way_to_inner(fmb_pruner *p, size_t i)
 {
     mpq_t e, s, share;
     mpq_inits(e, s, share, NULL);
@@ -350,7 +352,7 @@ static void go_half_way_to_inner(pruner *p, size_t i)
 }
 
 /* The point where the oracle stands breaks row i; if `beyond`, even its closure. */
-static fmb_status keep_tested_row(pruner *p, size_t i, bool beyond)
+static fmb_status keep_tested_row(fmb_pruner *p, size_t i, bool beyond)
 {
     p->fate[i] = FMB_FATE_KEPT;
     if (!p->told || !p->told->irredundant)
@@ -361,7 +363,7 @@ static fmb_status keep_tested_row(pruner *p, size_t i, bool beyond)
     return p->told->irredundant(p->told->self, i, p->x);
 }
 
-static fmb_status test_row(pruner *p, size_t i)
+static fmb_status test_row(fmb_pruner *p, size_t i)
 {
     int excess = 0;
     bool attained = false;
@@ -375,58 +377,76 @@ static fmb_status test_row(pruner *p, size_t i)
     return move_right_side(p, i, 0);
 }
 
-/* To begin anew costs what was done until here: at least as much is done in each slice. */
-static bool is_slice_spent(const pruner *p, uint64_t begun, uint64_t ready)
+/* From the last row to the first, at least one of them. */
+static fmb_status test_undecided_rows(fmb_pruner *p)
 {
-    return p->pauses && fmb_run_is_slice_over(p->run) && p->run->work - ready > ready - begun;
-}
-
-static fmb_status test_undecided_rows(pruner *p, uint64_t begun)
-{
-    uint64_t ready = p->run->work;
-    for (size_t i = p->m; i-- > 0 && !is_slice_spent(p, begun, ready);)
-        if (p->fate[i] == FMB_FATE_UNKNOWN)
-            FMB_TRY(test_row(p, i));
+    bool over = false;
+    while (p->left > 0 && !over) {
+        size_t i = --p->left;
+        if (p->fate[i] != FMB_FATE_UNKNOWN)
+            continue;
+        FMB_TRY(test_row(p, i));
+        over = p->pauses && fmb_run_is_slice_over(p->run);
+    }
     return FMB_OK;
 }
 
-static fmb_status prune_in_passes(pruner *p)
+/* All passes but the last one. Without a solution no row is left to be looked at. */
+static fmb_status prepare_pruner(fmb_pruner *p)
 {
-    uint64_t begun = p->run->work;
+    FMB_TRY(open_pruner(p));
     FMB_TRY(fmb_oracle_feasible(p->over_all, p->feasible));
     if (!*p->feasible)
         return FMB_OK;
     FMB_TRY(fmb_oracle_point(p->over_all, p->inner));
     FMB_TRY(lock_equalities(p));
-    if (!p->as_given)
-        FMB_TRY(find_implicit_equalities(p));
-    return test_undecided_rows(p, begun);
-}
-
-static fmb_status prune(pruner p)
-{
-    fmb_status st = open_pruner(&p);
-    FMB_THEN(st, prune_in_passes(&p));
-    close_pruner(&p);
-    return st;
+    p->left = p->m;
+    return p->as_given ? FMB_OK : find_implicit_equalities(p);
 }
 
 fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
                            const fmb_verdicts *told, bool *feasible)
 {
-    return prune((pruner){
-        .run = run, .n = n, .m = m, .row = row, .fate = fate, .told = told, .feasible = feasible});
+    fmb_pruner p = {
+        .run = run, .n = n, .m = m, .row = row, .fate = fate, .told = told, .feasible = feasible};
+    fmb_status st = prepare_pruner(&p);
+    FMB_THEN(st, test_undecided_rows(&p));
+    close_pruner(&p);
+    return st;
 }
 
-fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, bool pauses,
-                         fmb_fate *fate, bool *feasible)
+static fmb_status begin_to_prune(const fmb_pruner *as, fmb_pruner **begun)
 {
-    return prune((pruner){.run = run,
-                          .n = n,
-                          .m = m,
-                          .row = row,
-                          .fate = fate,
-                          .as_given = true,
-                          .pauses = pauses,
-                          .feasible = feasible});
+    FMB_TRY(FMB_GET_ZERO(as->run->mem, *begun, 1));
+    **begun = *as;
+    return prepare_pruner(*begun);
+}
+
+fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
+                         fmb_pruner **paused, fmb_fate *fate, bool *feasible)
+{
+    fmb_pruner as = {.run = run, .n = n, .m = m, .row = row, .fate = fate, .as_given = true};
+    fmb_pruner *p = paused ? *paused : NULL;
+    fmb_status st = FMB_OK;
+    *feasible = true;
+    as.pauses = paused != NULL;
+    as.feasible = feasible;
+    if (!p)
+        st = begin_to_prune(&as, &p);
+    FMB_THEN(st, test_undecided_rows(p));
+    bool on = st == FMB_OK && p->left > 0;
+    if (paused)
+        *paused = on ? p : NULL;
+    if (!on)
+        fmb_pruner_close(p);
+    return st;
+}
+
+void fmb_pruner_close(fmb_pruner *p)
+{
+    if (!p)
+        return;
+    fmb_mem *mem = p->run->mem;
+    close_pruner(p);
+    fmb_mem_put(mem, p, 1, sizeof *p);
 }

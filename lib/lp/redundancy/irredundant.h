@@ -32,10 +32,15 @@ typedef struct fmb_verdicts {
  * hold. Errors: MEMORY, LIMIT. */
 fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
                            const fmb_verdicts *told, bool *feasible);
+/* Rows of which some are decided. */
+typedef struct fmb_pruner fmb_pruner;
+
 /* The same without the second pass: inequalities stay what they are, and only their redundancy is
- * decided. If it pauses, it may end where a slice of the run is over; fates that are UNKNOWN then
- * are decided by the next call with those told so far. */
-fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, bool pauses,
-                         fmb_fate *fate, bool *feasible);
+ * decided. Where paused is not NULL, begin with *paused NULL. It stops where a slice of the run is
+ * over, *paused not NULL: the next call with it goes on, with the same rows and fates, or close it.
+ */
+fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
+                         fmb_pruner **paused, fmb_fate *fate, bool *feasible);
+void fmb_pruner_close(fmb_pruner *paused);
 
 #endif

@@ -280,6 +280,8 @@ fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned,
     for (size_t steps = 0; st == FMB_OK && steps < 16 * b->d + 64; steps++) {
         size_t r = is_expensive(b) ? SIZE_MAX : find_leaving(b, banned);
         size_t j = r == SIZE_MAX ? SIZE_MAX : find_entering(b, r, banned);
+        if (run)
+            fmb_run_count(run, 80 + 2 * b->size + b->d * (b->size + b->d) / 4);
         if (j == SIZE_MAX && !fresh && !b->has_cost) {
             find_values(b, target);
             fresh = true;
@@ -302,8 +304,6 @@ fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned,
         if (b->has_cost)
             update_gains(b, j, old, pivot);
         fresh = false;
-        if (run)
-            fmb_run_count(run, b->d * (b->size + b->d) / 4);
         st = run ? fmb_run_poll(run) : FMB_OK;
     }
     return st;

@@ -78,7 +78,7 @@ void fmb_simplex_state_add_to_cost(fmb_simplex_state *o, size_t r, double part);
 /* Steps of a pivot (fmb_run_count). */
 static inline size_t fmb_simplex_state_work(const fmb_simplex_state *o)
 {
-    return 100 + 6 * (o->n + o->m) + 2 * fmb_indexed_vector_count(&o->rate);
+    return 400 + 8 * (o->n + o->m) + 2 * fmb_indexed_vector_count(&o->rate);
 }
 
 /* Slacks that are less, for a right side of about 1, are none. */

@@ -39,189 +39,189 @@ typedef struct tree {
 
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 14968 problems of 91 families, seeds 1 to 183020, ways as of commit be4293cf.
- * Time over that of the best method alone: 1.115 on families seen, 1.211 on others. */
-static const int START[FORETOLD_COUNT] = {-3400068, -472170, 834583, 713908, 47988};
+/* 19118 problems of 91 families, seeds 1 to 199029, ways as of commit c32b56bf.
+ * Time over that of the best method alone: 1.120 on families seen, 1.220 on others. */
+static const int START[FORETOLD_COUNT] = {-2358565, -455776, 1008402, 635990, 23796};
 static const short WEIGHT[FMB_FEATURE_COUNT][FORETOLD_COUNT] = {
-    {7728, -2286, -2746, 3766, -82},
-    {1022, -1424, -256, 926, -127},
-    {-2703, 2562, -200, 548, 30},
-    {-2404, 1083, -208, 425, -15},
-    {-1387, -263, -1701, -304, 153},
-    {1694, 666, 683, 119, 272},
-    {-5263, -5819, -1280, 805, -827},
-    {-10027, 6173, -1877, 433, -918},
-    {-516, -2401, 2003, 131, 50},
-    {-1219, 4471, 6856, -12270, 5362},
-    {3063, -1424, -1411, -549, -33},
-    {-4761, -1877, 2550, -719, 422},
-    {688, -83, 1596, -302, 32},
-    {76, -512, 534, -103, -11},
-    {-3, 532, 415, -282, 36},
-    {815, -407, 1228, -1928, -128},
-    {2266, 108, 974, -739, -34},
-    {1402, -1300, 1701, -1073, 158},
-    {1041, 184, -83, -491, 77},
-    {-284, 1159, -1420, -5, -46},
-    {4636, -491, -445, 154, -144},
-    {355, 214, -274, 291, 258},
+    {7987, -2585, -2772, 3658, -122},
+    {1035, -1478, -213, 994, -139},
+    {-2844, 2828, -264, 611, 102},
+    {-2648, 1060, -247, 560, 1},
+    {-1708, -255, -1771, -255, 140},
+    {1768, 809, 604, 170, 256},
+    {-5302, -6472, -1427, 753, -766},
+    {-10198, 6491, -2329, 415, -1014},
+    {-733, -2717, 2042, 199, -9},
+    {-268, 4624, 5721, -13750, 4885},
+    {3270, -1425, -1448, -663, -64},
+    {-4854, -1877, 2507, -690, 437},
+    {672, -79, 1653, -299, 12},
+    {99, -504, 556, -113, -18},
+    {-113, 569, 479, -273, 46},
+    {1024, -652, 1311, -2081, -152},
+    {2641, -37, 1147, -823, -18},
+    {1364, -1289, 1664, -998, 108},
+    {1126, 154, -128, -512, 70},
+    {-389, 1404, -1743, -2, -28},
+    {4821, -508, -490, 181, -136},
+    {284, 205, -285, 328, 227},
 };
 static const tree TREE[] = {
-    {{{14, 2217}, {6, 54}, {14, 1352}, {19, 992}, {0, 384}, {5, 496}},
-     "mmmmmmmmmmknmmlmmmmmoqjllprhknnsimmonjlnmmmmmmmmmmjknlmmmmmmjqolmplmmmlqnkl}mphmtkmnmjkmpmmmn"
-     "nminlompjimmilnnmnnllmgjponlmklmmonomjnlmmkmjmmgsqlmjrpmmnpnjmpjokmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgkqonrlmnmmhkrnzjllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmplomiompmrkmpmhqqnnumlnmvmlnmxglnm"},
-    {{{14, 2397}, {6, 67}, {5, 345}, {14, 1248}, {5, 530}, {8, 99}},
-     "liommmlkmlmmmmmmmmmmjkmmmholmkmmmmmmmmmmntjnmnshkmikklniijnnpolnmnsojnnpqhmrhqmmsiplmsmkmlmmm"
-     "mmmmmmmmjnkmnnkmmmmmmmmmmmmnlmnmokknmglommhkosmknmmmlnolmommlmljnommmmmmmmmmmmmmmmmmmmmmmmmmf"
-     "flqnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmujipmtkmommmmmmolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmplmmmkljomtkkmm"},
-    {{{12, 1988}, {4, 563}, {0, 640}, {11, 118}, {7, 20}, {12, 1040}},
-     "jmkonrlolmmnmnljojkmlpjnmimmnmmlnlmnlmmmnmmmmprjnmgsopmntkpmxlpimgjqlmomoknhimlnigmmmilpnmmjn"
-     "lmlkmnmmmmmmdinslpklmmqkmlmmmmmmmmmmmjqlqljpkqmmmmmmmmmmmmmmmmvqjnmmmmmmgsgkmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmopiommmmmmonllmmmmmmjllommmmmmmmmm"
+    {{{14, 2217}, {6, 55}, {14, 1360}, {19, 992}, {0, 384}, {7, 16}},
+     "mmmmmmmmmmmmmmmknmnmrtglnooilknshknoqjmlmmmmmmmmmmmmmmmilnmmooplojrmllroohmmqmklmlmpmsjlnmknl"
+     "ommmnnmmkonmmkgmmjjqonjnjmmlnmommnlkmjmjmmjnlmmjrpmmgsrmmpkojmomnkmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmnjnonfmrnnqglpnmjkrnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmqkommmmmmsknpmkplqmsnlomjpqmnxglnmvllnm"},
+    {{{14, 2396}, {6, 55}, {5, 345}, {11, 134}, {5, 530}, {8, 99}},
+     "iqmsmhplmkmmmmmmmmmmmhmkmpikmmmmmmmmmmmmmslplorpjnmmmmmxiolmrthmnlvfjnmprhmslokmojolmnokmlmmm"
+     "mmmmmmmohojnnknlnmmmmmmmmmmlnlnmnnmlmnmmlmokommpmnlnlmkmmgonnlhhnrmmmmmmfelqnmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmrljpmqjlpmmmmmmmmmmmxjiomwmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mkmmomslmmmjmipmrllmmollmmmmmmmmmmmmmmmmm"},
+    {{{14, 2307}, {6, 68}, {14, 1248}, {5, 530}, {19, 1024}, {0, 384}},
+     "nmmmmlnmolpphllnrilmmmmmmkkmnmmmmmmhijmnmmmmmhnmnmjqolnmqmkmmmmmmliqonrmolmskrkmrklnmnlmmmojk"
+     "nmnkmnmjkonmfmnmmhknpmgkqqmmmkmmknmmmhqrmmoknjmmnnmmmmlnmlqnmmoknlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmjmnmmkloonpjkpmmmmmmmmmmmpllmmmgmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmlnmnmnnmmmsjnnmpmkomknjpmsiknmpiiom"},
+    {{{12, 1988}, {4, 563}, {0, 640}, {11, 119}, {7, 21}, {12, 1040}},
+     "ilknmrlolmmnmnmjojlmlpjmmklmnmnlnlmokmmmlnmnmpsjnmhsopmptkpmvmnjmgjplmplnkmjjmkmhgmmmilpnmmjn"
+     "lmmkmnmmmmmmdjnrloklmmskmlmmmmmmmmmmmjqlqlipkqmmmmmmmmmmmmmmmmurkommmmmmhsgjmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoqiommmmmmomkmmmmmmmjklpmmmmmmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2217}, {3, 1304}, {8, 187}, {19, 1056}, {11, 134}, {6, 85}},
-     "jplollmlmmminknmmnmmonokmllplmmojlnhkppmmmmmmsnhplnlmmmnmmmmoqnlmmpjnmksgkmklmnmkmmommmmmmmmm"
-     "mmmmmmmprlklnpjmmnollmhjmsmmmmmmmmmmmmmmmmmmmmmkopkmmmmmmmllmmkkmomknmomskmommmmmmkpmnlpmpnmw"
-     "klmmwlmmmlmmmmmmmmmlmlnmmmmmmmmmmmpoknmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoljpmsljmmuhllmfjlp"
-     "mmmmmmmmmmmmmmmmmmmmmjgmonmmmmmlmmmmhjmnm"},
-    {{{14, 2244}, {6, 54}, {15, 1056}, {0, 576}, {11, 118}, {15, 704}},
-     "lolmmmqmlloilmnmsgknksmrmrknmmklmlmrommmmmmmmikollmmmmmmlmmmmmmmmmmmmmmmmmmuprgmmlmmmrqpjmmmn"
-     "mmkllpmlrlpmnmolmmmnkmhhppmmmmmmepijmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnmnllonmmmmmullnlkomomm"
-     "mmnmmmmmmslllmmmmmmjglonmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmrkmnmsljomnoommfklpmmmlomommmmtkllmmiml"
-     "mmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{5, 792}, {6, 246}, {7, 16}, {13, 896}, {14, 1352}, {0, 512}},
-     "omlmmjlmnmmmnmmplmlmjkspmqmolmkkplmrkmlmpklmlmmnnmkonkmmmmomcmgknnskomonnlnsmklmjmmomkolnmjpi"
-     "lmlokmmjmpnmonlmmpollmsmjnmmmmmmmmmmmmmmmmmmmmmnmnmmnmmmmmmlmmmmmmmmmllmmmmmmhnjomfplomjmmomm"
-     "mmmmjrjlmkoklmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnjnmjnlnmlmmommmmmmnmlnmrmln"
+    {{{14, 2217}, {3, 1304}, {8, 146}, {14, 1760}, {5, 493}, {1, 960}},
+     "nlmnmnnnlmimnnmjmpnnknmlmlmlknmmmkmokpompklmnnqillmmlpmqnllmiqommgrjlmkmnmmmlpnmqoknmorkmmnon"
+     "lmpqpjmjokqmnlnkmqohnmiphkmnonlmlqiljmmmmmmklnmlmnmmimrlnmmmmmolmmmmmmmmmmmmmmmmmmmmmmmlmmpmo"
+     "nlomukmnmvkjommmmmmmmmmmmmmmmmmmmmkorlmmplnmplnkmumlmmmmmmmmmmmmmmmmmmmmmmvlnlmqmipmqljmmrjkm"
+     "mmmmmmmmmmmmmmmmmmmmmlnpmniimonmmmmmhflnm"},
+    {{{5, 790}, {12, 1540}, {11, 98}, {0, 576}, {20, 0}, {15, 640}},
+     "lkmmmqnnkmlmmmmmmommnslomolmmnjolqmmnlpmomlmmnoklmlmnkmsmpnmmomlmrlolmmlojmtjqkmjlolmnpjjmqml"
+     "nmrmjmmqnklmyonjmpnjomommlmimntmejmrmfknnlbhlpmmmmmmdgoqmkmmmmmmmmmnmlomfmkmmtkopmhoipmnujnmm"
+     "mmmmrlllmmmmmmmmmmmkmmomknlnmmolommmmmmmmmmmmmmmmmmmmmnmmmmisjjmmmmmmnnkmmnmmmmjonkmmmmmmmmmm"
+     "mmmmmmnmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{14, 2396}, {19, 704}, {7, 21}, {5, 640}, {14, 1360}, {11, 134}},
+     "ppnkmppmklrpmqmqomrmmmmmmmmmmmkmmmmmmmmmqkplmqnokmmmnlmnjpkpmmmmmmmmmmmmmmmmmmmmmlonmknknmmmn"
+     "lmklnnmmlqmmglopmqmlmmnnmklmmlnlmllmmlommmnknlm]obgmnmnmmpnnmmjmnmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpikomullmmmmmmmmmmmmimjommmmm"
+     "mmmmmmmmmmmjklomplmlmmmmmmmmmmmmmmmmmmmmm"},
+    {{{6, 246}, {4, 563}, {13, 1056}, {7, 21}, {21, 0}, {11, 46}},
+     "jlommonnmmnllmmnmllmnknmmmnlmmmnmnmllnlmikqlnkkqomololmjnonm_nehmnskpmrkmlmglplnnmllmrnkmmijm"
+     "mmmlnmmngpjnnllnmjmmnmnmlmmjnnongklrmjkpnmhknpmujlmnnmknmmlnmnopmnmmmlmmmmmmmkoimmkolommmmmmm"
+     "mmmmlnmnmmmmmmponmmmmmmmrmnlmknnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmm"
+     "mnplnmmmmmmnojmmllmnmmmmmmmmmmmmmmmmmmmmm"},
+    {{{18, 1528}, {5, 680}, {3, 1072}, {0, 512}, {13, 896}, {7, 21}},
+     "lllomnmmlmjmqmniljknhmnmmllnnmmmjjmmpjolonnlmknnlmjloomomnmnnllmmmmmompnqjmspkmmjmkommmmmmklq"
+     "mmommmmopklminlnlspimmmmmmminnlmnmmmmjqllm^oejnmmmmmmmmmmjmmkmkmmmmkninmlnlmmmllkmmmmlmjnlnml"
+     "nmqmnnjomollmmslmlmmlnkmlnlnmmlnmmnmlomlllomrlkomolmnmjpiommmmmmqlnmmmmmmmiokommmmmmujnnmmmmm"
+     "mmmmmmmmmmmtljnmmmmmmmmmmmmmmmmvkjommmmmm"},
+    {{{1, 1352}, {4, 402}, {19, 1200}, {10, 133}, {11, 119}, {0, 512}},
+     "mmmnmknlnmnolmllomlmlliompmlnnnlknmnjnnmgpklmiojkmqokkmppjkmmnjommmmmmlqjlmlqllnllnlmnmmnmlmn"
+     "nmpkmmmnmmlmlqmplmkmlolinknnolmmqlkmmhjnpmklmnmlnplmrmnnmmnlmmlmmmmnlopmmmmmmskrrmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmplmlmmmmmmqlolmmmmmmmmmmmmmmmm{mnimmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mjgnnmmmmmmmkllnjkkmmkkqmoolnmmmmmmmmmmmm"},
+    {{{5, 323}, {19, 1056}, {6, 76}, {11, 134}, {0, 384}, {14, 1760}},
+     "nlmmmllmmmmjolmjjmllmmmmmmmmmmnkokmkjmkmslmlmnjmmmpkolmklnnmpnnlnmmmmmomnlmllmmmoljmkhmmmnimk"
+     "ojgjlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoklmlknmlmkpmoliplommmmmml"
+     "mlmmlllnnniplnnllnmmnllmkmmnmmmlmmommommpnommnmmmmlnkmpoklmkoonnqonkmonnmmppklmmnknmlnllmrmkl"
+     "mmnmmmjqonmnkolmqjllmnjnpmjkmmlgloqmhjmmm"},
+    {{{19, 768}, {3, 960}, {5, 493}, {11, 46}, {20, 0}, {0, 512}},
+     "olnmmklonlmnmkmjonpmsnnlmomnlmplmkmmlmlmmnmmmlnmnmipllmkomomkooominnlmtnlqmmmmlmokokmjjqknmjn"
+     "lmjknnmolnllnlpmmmlmllknmnmmmmmmlnnlmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmjmmnnkmnnnjmjmmjlmnmmmknmk"
+     "nlnlkmjlmkkmlmkmnnnlpinnlnkmmlmmnmlmmomhmkomknmkmnmojmmkmmmpmnnmkmnmmnklpmnmjllmolmmipnlmnmlm"
+     "mknnkmmmllnplmmmrkjpmomnnmllnmmmmnnmpjomm"},
+    {{{12, 1988}, {16, 1552}, {2, 800}, {11, 192}, {5, 493}, {14, 1884}},
+     "nlmmmknmmmkmmnmolmmmolplonkmkmlmonmfpollnqlmmnnmlmomnlmolmmmmmnnnllnkmkllmmnkmommmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmjlkmkiinnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkmnnmhomnmlmnnmonkmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmipimmlllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqqkmmmnholmmmmmmmmmmmmmmmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{0, 384}, {14, 1882}, {7, 20}, {19, 896}, {1, 832}, {8, 0}},
-     "klmnmqoknmmmmmmqolrnknpmmlknnnhokmmommmnnmnlnrllnmmmmmmqlnlmcndkmojknmmmnnmnnjllknikmimllmmmm"
-     "mmkmkomnqmnmiqommpnlnmnmnomkpmjmlnklmmmmmmnkmmmlnmmmgrrmmmmmmmioonnkolnmknkmmjmmnmennnnmmpmmm"
-     "kqnmekmknnmnlmmnnnmmlmmmjpommnmnlm]nfgmoklmnlmnknmoknllojmmimklmgokpmkmkmmsklmmojnkmmmkqmpjml"
-     "miqmlnjmllmjonomlkmmmlmnnmomlmmmmmmmlmmmm"},
-    {{{19, 704}, {15, 256}, {14, 1760}, {0, 384}, {19, 1040}, {1, 928}},
-     "tmomnrookmmmmmmmmmmmolpknpmojmmmmmmmmmmmokmkmolnmmmmmmmmmmmmkmnmmnjokmmmmmmmmmmmnmlmmlonpmmmm"
-     "mmmmmmmkmnnnnmnmmmmmmmmmmmmmmlmmunkrmmmmmmmmmmmmlmnmmmmmmmmmmmmmmmmqlnpmnmmlmjmonmmmmmmlnmomk"
-     "pmnlklpnnmmmmmpljkmmmmmminmnmmmmmmknjlmkpknmrkgmmmmmmmlklnmmknnmlmlmmnpkllkmlnmkmnnmnlolmmnll"
-     "mkomlmrkjnmjqpnmlnmnnmlmlmllnmnrknlmklmmm"},
-    {{{1, 1353}, {4, 402}, {19, 1136}, {0, 576}, {11, 118}, {20, 0}},
-     "klmnnmmkommnknlomnmmltlommnmomlnllmokpjmlqklmollmmnshkmpnnlmnmnmmnmmmmnnmnmqmmlmmlmmmmmmlmpkn"
-     "lnhmokmnqlnmjplqmplmmmnjmjmonnlmmnlnmkmlomijlomolmmmlnkpmhjoomommmmmmnmmnmmnmjlqpmvlormmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnllmmmmmmmylnjmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mkkqlmmgmnmmjkmmmmmmmmmmmmmmmmmkmlnmmmmmm"},
-    {{{14, 2305}, {1, 960}, {5, 530}, {11, 46}, {21, 0}, {10, 102}},
-     "olmnmmiplnmmmmmknmpmmmlnmmnmmmlnmlmmkmlnhmlkmrnmnmnmmmmmmjlmnlpnmrnkmmhnmmllllomfimjnogqjnpnm"
-     "lmkmmnlonmnmkskmlopmknlnlkmommmmmmmmmnnnkmlkonneiqqmrkpnmjlommokmmmqlnlmlnqlmolnlmmmnnmmmmmmm"
-     "mmmmrkpllmmmnmmmmmmmmmmmmnlompmlmmmmmmmmmmmmomlnmmmmmminmpmmmmmmnmkmmjklomuliomommmmtllmmmnkp"
-     "mmmmmmmmmmmskjmmmlllmijlnmmmmmmgilommmmmm"},
-    {{{5, 323}, {19, 992}, {18, 1388}, {0, 512}, {7, 16}, {13, 800}},
-     "pmlnmmmmmmqknkmmmmmmmmmmmmmmmmmjnjlllnmmmmmmmmmmmmmjmlmmmmmmmmmmmmmmmmklnmmmmmmmikmllmmmmmkmj"
-     "mkmmmmmmmmmmmmmmmkmkokmmmmmlimnmmmmmmhmlmnmmmmmmmmmmmmmmmimkpmmmmmmmmmonlmqmmnlllmklmmnhonnmn"
-     "pilmmmnnmmoknminimmmmnmmkpllmmmlkmhoknmqknlmkmmpmnnkomomnkmknonmlnmlmhoilmnlmlmpmnkmmlmmnqplm"
-     "mplmmmnllnmknplmnnnmmpljpmsklnmolkqmtllmm"},
-    {{{12, 1988}, {4, 554}, {0, 640}, {19, 1088}, {14, 1416}, {1, 928}},
-     "mmmnmmmmmllmmmmmlmnmukpknmnkmmonplmonnlmkonnmkpmlmkonmmlmnlmnnmnmglonnnmnmmwjmjmnjmommjplnnll"
-     "mmnjkkmlkmnmlmlnllmnmmjlmnmnomnmmnmnllmmomjpkqmnplomoolomslkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmipjlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkmmnmmmmmmooinmmmmm"
+    {{{14, 2396}, {6, 246}, {11, 46}, {21, 0}, {6, 85}, {4, 512}},
+     "fjoknoiqjnjlmlmollmmqnnmmlnmnmmmmmmklnmmmnnmmmqkmlnmnnmnllnmmllmmnmmmmmnmlmjknnmmmmmmmmmmmmom"
+     "nmnommmmmmmmmmmmmomlmmnokmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknmnmkklnmlnnnmmnnmmmmmmmmmmmmskklml"
+     "kkomimlnmmmmmmmmmmmrlipmmmmmmmmmmmslmllmmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjnlnmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{1, 1353}, {6, 81}, {4, 362}, {20, 0}, {5, 512}, {11, 46}},
-     "lnnmmlmkommmmmmmjnomlmmlmpjnkmmmmmmmjqpmnmmmmnokllupqkmlmmlmlmmnmkommmvkllmpmnmmjmnnmnnmkmknk"
-     "mmkmknmknmnmpllomomlnmpmmklmknmmommmmkmnlmlloomlmmnmlnllmpllmmklnmmmmmmmmmmmmmmmmmulnkmmmmmmm"
-     "mmmmmmmmmmmmmmllplnmmmmmmmmmmlklmmohlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmilqommmmmmmmmmmmmmmmvlor"
+    {{{0, 704}, {4, 554}, {12, 1040}, {15, 256}, {7, 21}, {14, 1328}},
+     "oqmlllolkmomnlmmmmmmlnkmmjmlnmlmlnllnmmmnoknmioimmkplollmklmnlnmmomnlmkmjlmnnmlmmmmmmnmmmmoko"
+     "kmnkmlmnnnmnmklmmmjolmlmlnmjlnnmkljmmnmnpmpljmmklonnlnmnmllknnmlnmmlmmjmmmmmmknmmlionlmmmmmmm"
+     "mmmmlmnmmmnolmlmmjmmmmmmmmmmmjolmmkrrhmmmmmmjkqnnmmnlmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmnnmmmmmmnmmmmmmmmmmmmompmollmm"},
+    {{{5, 790}, {18, 1366}, {1, 928}, {5, 544}, {7, 4}, {12, 1120}},
+     "mmmmnokplnmlmmmolmnnlnlmmmmnmmpnjnmjmllmjollmroojmmmmmmloklmokqpmkknnmpkolmmpmkmlmlmmmkolmlnm"
+     "mmlmnlmjpkmmolmmmmnlnmnmmmmnoismrnkmmnklnmlmknmlkkmmkkkommmmnmrlmnmmmmmmmmmmmmmmmmmmmmmjllnmn"
+     "oknmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgojkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmhnlmmmnlommmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmolkmmmmmmmmmmmm"},
+    {{{5, 790}, {16, 384}, {12, 1592}, {18, 568}, {0, 384}, {15, 384}},
+     "onmmmnmknmoonjmlmlmmqonpmkmknmkmomnimnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqnnmmomkmmmmn"
+     "mmmmmmmnmmmmlnnnmlmlmmnlmmmlmmnmjllomllmnnellrminpnmknlmmollmmokllmmmmmmmmmmmmmmmmmmmmmmmmmmj"
+     "kknmmmmmmanlpmmmmmmmmmmmmmmmmmmmmmmmmmmllmlmmmmmmjiolmmmmmmnlllmmmmmmlmnnmmmmmmmnjmmmnmmmomln"
+     "mmmmmmmnmmmmmmmmmmmmmmmmmmlqkmmmmmmmgrkkm"},
+    {{{7, 146}, {5, 336}, {14, 1328}, {18, 1366}, {1, 832}, {19, 928}},
+     "pmmmllllomomollllnnlmmmmmmmmmmmmmmmmmmmmollmmnmlmmmknlnjmkmkmllomlnmmmnllnmjllnnmmlnmllmmnmnm"
+     "mmlnmmmmmmmmmmmmmmmmmmmmmmmmmlkmnnolmlmnmnnmnlmknllmmmnmmmmlpmpllnmnlmmmmmmmmnjojmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmnlmlmmmmmmlmnnmmmmmmohokmmlmmmlknlnmmmmmmkplnlmnmmmmmmmmmmmmmmmmmmmmm"
+     "mlrnplmmmmmknnmmmmmmmkmnmmmmmmmlmnnmjnmnm"},
+    {{{1, 1352}, {0, 640}, {11, 170}, {19, 1200}, {10, 27}, {14, 2004}},
+     "kmmlmnmmnmnmmmmlnmlmmnmmmnmknmonmlmknmmmlmnnmhpmmmnlnmnllnmmlmlomgjlmmopkjmqnpkmnqmmmkmnkmjql"
+     "olkpmpmnmmmmmmmmmekmqmqjmkmijnmnmmmmmlmnlmqjmkmkqqimmmmmmlmmomnkmlmmmmmmmmmmmilqmmvlmqmmmmmmm"
+     "mmmmjlpmnoimmmmmmmmmmmmmkmmmmqmmommmmmmmmmmmmklmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmzlnjmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{19, 768}, {14, 1200}, {5, 388}, {11, 118}, {0, 512}, {8, 109}},
-     "qmnllnmmmmnknllmmmmmqonlnnmmlmpmnknmmmmmmmolmmmmmmjmpmnmmmmmonmmmmnlmmonnjmmmmmmplmlmpmlnmmnn"
-     "nlmmmmmpknlonmmlmnknlnmmmmmmommmmmmmmjooommmmmmonnpmmmmmmkknlmmmmmmmklmlmljmlmmmmmmmmlmllmmnn"
-     "kmmnljnlmlkmmnkmnnmmlmmmknlomlmmolnnlnmnnkmmmolmmimlomlmllmknmmmiqlqmnmlomlkpknllolnlkmkmnmkm"
-     "mmmmlmlnolmnmlnmulnkmlonnmjlkomplmkmlkmnm"},
-    {{{7, 146}, {11, 170}, {19, 928}, {5, 496}, {11, 46}, {21, 0}},
-     "nmlnmknmomnmlmlmmllmlmknmknlmmnmlomlmjllnkomnmmmnmlplmmknlmmkmmlmomnmmnmonmolmmmmmmmmmmmmmojm"
-     "lmnlpkommmmmmmmmmmmmomkmnmmmmmmmmmmmmplnlmpmmnmmmmmmmmmmmnmkomklmmmmhpinknoomlnoolmlnmmmnlnml"
-     "mnlmmmmmmmmmmmmlmmmlmmnmmmmmmkmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknlmmmpmpmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{13, 1824}, {0, 384}, {12, 1040}, {15, 384}, {14, 1760}, {7, 3}},
-     "nnmnmpmnmmonkmmolllmmljnmoljmlkninmkpnmnknonnpmmomkmnlmommlmmmommlmjmmmnmmmjpqnmjnnlmmmnlmjon"
-     "lmkmmmmimlnmlmlnmkmllmlmmmmhomommnmnmmmklmmlkmmomonmmmllmnknmmplnlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmkommmlmmnnhpmnminmnmkqknmmmmmmnpjomonmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mplllmmlmmmolimmqlmmmnmmmmmmmmmonjmmmmmmm"},
-    {{{12, 1540}, {11, 98}, {7, 46}, {18, 624}, {12, 832}, {21, 0}},
-     "gknmmknlnlmmmkmollmmjnmomjlkonnmolmnlmmmnlolmomnmmlllmmmmlnmnkmmnlomommnkmmmolmmommmlookllnol"
-     "kmmnmmmlnoommmmmmomnnmlomklmonnlommmnomlmmlllnnnmlmmmkoknqkllmnknkmmmmmmmmmmmdohlmommlmmmmmmm"
-     "mmmmonmnmlnlmmmmmmmmmmmmkoinnnmmmmmmmmmmmmmmrijlmnlmlnmmmmmmmmmmglmrmiklqmmmmmmmmmmmgjlmmejmn"
-     "lmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{5, 792}, {6, 246}, {12, 1540}, {18, 568}, {13, 896}, {7, 20}},
-     "ommmmmmmmmmnqlmoolnmmlmmmmmmmmmmolmnmllmfkmpminjnmklmrmnmlmnnlllmjlnlmklnnmmmklmlmmnmmmmmmlnl"
-     "mmmmmmmlpkmmmmmmmomommmmmmmmmmmmmmmmmjllmnmmmmmmmmmmmmmmmonkmmmmmmmmmklmmmmmmlmmmmmmmmmfpjomm"
-     "mmmmmoklmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkollmmmmmmmmmmmmmmmmmmmnmmmmmmhoinmmmmmmplmmmmmmm"
-     "mmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmkomlmmmmmm"},
-    {{{18, 1366}, {1, 928}, {10, 170}, {11, 118}, {5, 530}, {2, 768}},
-     "mlmmmomolnkmnmmoollmnlmmmolmmmlnlnmnllmmmqmnlhrnmmmmmmmmmmmmmlnmmmkmnmmmmmmnmmmmllnmmmnnlmhmq"
-     "nnnmnlmnnmlmlpkmmkmnnmmlnnmnlnmlkolommmmmmnlmmmmlokpljomommmmmljonnlmmmmmmnmmomlmmpmlmmknmmlp"
-     "nmmmhpmlllmmnmmmmommnllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnllnmmmlnmlllnmrljnmqnlpmtlkmmmmmmmgklo"
-     "mmlmmmmoinmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2305}, {0, 640}, {4, 554}, {0, 384}, {19, 1072}, {1, 864}},
-     "mmmmmnmmnmkolmmnommmmmmmmlmmnmpknlmmnmlmmmnnmolmmmkonnmllnnmmllmmljnkmnlmmmkmmmlmmmmmmmmmmmmm"
-     "mmmmmmmkpmnmknmmmlpmompmmlmmmmmmmmmmmmmmmmmmmmmmmmnmlomommplomommomnmlmmolnlmmlmmmpmlmmnmmmmi"
-     "ojnmmmnmmskknmmmmmmmmmmmmmmmmkkommmmmmmmmmmmonnmmkllnmmmmmmmmmmmmmmmmmmmmmmlmlmmlmkmmmmmmmkmk"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpllmmmmmmm"},
-    {{{1, 1353}, {16, 1560}, {15, 704}, {12, 832}, {0, 512}, {14, 1840}},
-     "nmmmmmnlmmlmnnmkmnnmllmmmlnmlmnnlmmnlmmmlokollnkomkjmnmllopmoonlmlnnmmmommnnllnmmmmmmmmmmmmmm"
-     "mmmmmmmopkmmmninlnmmmmmmmmmlmlllmmmmmmmmmmmmmmmmljmkjkmmmlmkmkkllnmmmmmmmmmmmmmmmmmmmmmjlonmt"
-     "lnqmmmmmmmmmmmmmmmmmmmmmtmnjmmmmmmnknmmmmnmnlllnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmjnlmmmmmmmmmmmmmmmmllomnmmmmmnmnmm"},
-    {{{18, 1539}, {12, 1184}, {11, 236}, {21, 0}, {4, 457}, {11, 46}},
-     "kmnnmmmmmmlkmlmmnmmmlmlmmmnlmmnmmmmmmmlmmmmmmlnknmmmmmmomlnmmmmmmkknmmmmmmmkksmolkqmmklnnmmmm"
-     "mmmolnmnmmlmmjnnmlmnlmmkmmmmmmmmmnlmmmmmmmtmkmmmmmmmkmnnmmmmmmgoollkolnmmmmmmlnmnmmmmmmkoknmm"
-     "mmmmmnlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmokolmmmmmmplnmmmmmmmqknnmmmmmmolkommmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmkommmmmmmmmmmmm"},
-    {{{19, 768}, {3, 960}, {14, 1620}, {1, 832}, {0, 576}, {5, 496}},
-     "onmmmlnmmmmlkmlmmmmmonomlknonmnmnlmkmnlmnlmkmkomlmlmmmmmmmmmolmmmsmmpmlmmmmmmmlmnlnlmmmmmmlnn"
-     "mmmmmmmokpkmmmmmmlknlmlmnlmmmmmmmmmmmjonommmmmmolnmmmmmmmmmmmmnmmlmlmlnmnmmommmmmmksjomkmnmmk"
-     "llomkmmnnimlklmlklmlmllmmlolmpmmlmklkmmimnnnkmmnlknllmnklnmlmmlmmqmomopjmmmmmmmommmmnnmnmkmnm"
-     "mlnnmmmmmmmmnlomonklmlmmmmnlmmmmmmmmolnkm"},
-    {{{11, 192}, {7, 34}, {4, 576}, {8, 99}, {21, 0}, {0, 512}},
-     "kmmmmhmmmmmmnmmmnlmmnmommnmnmmmmlmmqlmlmonnnmnmmmmlmlnmlkoomknlonmmmmmlmnmmnnmmmommmmmnlnmmnm"
-     "mmnmmnmlolmmlmnmnlmmmmlnknmpjnmnoimkmllolnlmlomklkmmllkmmkmklmkmkolooknmmmmmmlnmmmloolmpmpmmm"
-     "mmmmmlmmmlmlmmmmmmmmmmmmmmmmmmmmmmomnmmmmmmmmmmmmmmmmmommnmnjmlmkmsmplkolnplmnmmmmmmmllmmmknn"
-     "mnmmmmqmlnmmmmmmomnmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{19, 640}, {7, 20}, {5, 682}, {14, 2099}, {11, 134}, {0, 512}},
-     "pomllmmmmmnnmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlnlmnmnmlomn"
-     "moomnlommmmmlmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnmmmmnlmmmmnmknmmmnllmmm"
-     "mlmmkklmmpkllmlnnmmonklmmmmmmsnnkmplmmmommnmmnmmmlnmmmmmlmmmnmnmmlmmmmlmlmlnnmmmllomkqomlsmkm"
-     "mbofkmkmlmmmmmmmmmmmmmnmmmmmmmmmmmmmlmmmm"},
-    {{{0, 704}, {10, 42}, {18, 624}, {19, 1340}, {11, 56}, {4, 457}},
-     "llmmmimjkmnmlmmknmqmjmnmmjlkmnmmmmmlmkomomnmmlmnmmlnmmmjkmmmkmjmmnolnmmmmmmkkkpmlnnnmnlommmml"
-     "mmnlmmmmmmmmlllmlillompmlkmjllmmnmmmmmmmmmlnmmmmmmmmmlomnolllmqmoknmmmlmnmmmmklkkmmmmmmmmmmmm"
-     "mmmmmmmmmmqphmnnnjmlnnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknnmllnnnmmmmmmmmmmmlmmmmnmmo"
-     "mmmmmmmmmmmlmnmlomlmmmmmmmmmmmmlmmmmmmmmm"},
-    {{{5, 792}, {2, 800}, {16, 1560}, {12, 832}, {11, 46}, {14, 2099}},
-     "lmnmmknmpmnmmmmmmmnmlmmmmolmnmmmmmmjnmmmmmmmmmmmmmmmmmmmmmmmmokmmomjnmmmmmmmmmmminlnmjolommln"
-     "nmlmnmmqnolmommlmnnmlmommmmllmlmnknlmmmmmmmmmmmnllmljklmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmkmlomq"
-     "lonmmmmmmlnmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjojmmioknmmmmmmpmln"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{3, 800}, {4, 384}, {10, 157}, {11, 118}, {18, 1036}, {0, 384}},
-     "mnnmmkmommomlmmknnlmmnnmmnomlmnmmnmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmonnnnmmmmmoml"
-     "lmmmmmmnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnnmmmmmmmmnmmmmmmmmmlllmmlmlnmknmmmlmmmmmllmml"
-     "nlmmqmlnmplmllknkpnnllnmknjnmmlkklnmlmmlklnnnmmmmojommmmmmmnmnmmlnnmmnmlmmnmmomlmmnmllmmmmlml"
-     "mommmmmnmmlnmmnmkpnnmnlnmnmkpkokmnmmjkokn"},
-    {{{0, 704}, {10, 42}, {7, 20}, {6, 174}, {14, 1352}, {21, 0}},
-     "lmknmnmlmmjmlomolnmmjlqomnlmmmmnmmmlmmmmomllmnmlnmojnmnnnlnmengjmmmmnmonnmmkmnlmmlmmmnmmmmnmn"
-     "lmmlmmmonmmmnolmlonmomnnmlmmmmnmmmmmmmmmlmmmmmmpmponmlnnmrllmmkmmkmmmnjmmqpimmmmmmnmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmllpmmmmmmmmnnlmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmkmmnmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mkmnmmmnmommmmmmollmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{7, 146}, {18, 650}, {14, 1328}, {11, 170}, {21, 0}, {4, 475}},
-     "lmmmmmmlmmmnlnlnlmmmllmllqlnlnmmlmmmnnlmllllnrmolmpmmmmnnkmmlmmmmllmnmmlmnmlkmnmkmpmnnmnpmnln"
-     "nmlkommmmmmmmmmmmlmmmmmnnmnmmnmmnnmmmmmlmmlmmmmlmlmmqllmmnmommkkolmjnmmnmknjnnkmmmmknlnmmmlmn"
-     "lmmmmmomnmmnmmmmmmmmmmmmmmnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmnmommknlmknnmmkomnmlmmmmmmmnmmmmmmmmmmm"},
-    {{{7, 146}, {4, 512}, {21, 0}, {7, 20}, {12, 1288}, {6, 90}},
-     "mmnlmmmnmmlllnmllpmmlmmmmnmlmmimmmnjnjjmonlmmlmlmmoknlmomnmmmlnmmlnmmmmmmmmmmnmmmmlnlolkmmtpk"
-     "kmlnlnmmmmmmnmmmmknmnmollnmlmnmmkmmmmjlmmmkmmnmmmmmmolmmmmlkmmklommmmmmmmmmmmmmmmmmmmmmmonnml"
-     "knmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmolnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnjnkmnlnlmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmlmmnmllnmmmmnmmmmmmm"},
+    {{{1, 1352}, {17, 256}, {18, 346}, {1, 992}, {0, 576}, {11, 119}},
+     "mlmkmmkmlmmmmmmmlmlllolpmopkkmmmmmmkmnmnmmmmmlmmmmlqlomnknkmmmmmmkolnmlmnmmmlmmmmmmmmmmmmmmmm"
+     "mmnmlmmmmmmmmmmmmmmmmmnmomolnnnmmmlmmmnlomklinlikormllmomnjnnmmlmommmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "llmmmmmmmkmlnmmmmmmmmmmmmmmmmmmmmmlkpmnplopmmmmmmrlokmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmmmvmmkm"},
+    {{{0, 704}, {10, 42}, {11, 46}, {21, 0}, {7, 21}, {18, 1366}},
+     "hlnmmlnmnmfnhjmpmlmmnmnmmomlnmolmnmlnmnmlnkomklknmhkqnmomlnmmmlnmkmllmmnlmllokllomqmnnmommnln"
+     "mmpjmmmkmnnolkllmnmmnmknmnmmmnmmqnmmmmnmmmmlkmmnmlmmklmnmmlmlmjoollmmmmmmmmmmmmmmmmmmmmmnmmmn"
+     "mmmmnoolmjlokmlmmimmmmmmmmmmmmmmmmlqqimmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mlmmmmmmmmmjonnmmmmmmmmmmmmmmmmnomomomlmm"},
+    {{{12, 1988}, {0, 384}, {14, 1940}, {4, 457}, {12, 1024}, {1, 832}},
+     "nmlmmnnlommlommnnmlmpmlnmolmlmmllnmommlmlnllmjniomkomlmrllomkoommmlmnnjpommlmommlmlmmlnmnmomn"
+     "nmlmmnmmmmmmlknkmmlmmmonmlmknlomnlnnmnknlmoknlmlnmmmknmomollmmmmmmmmmmmmmmmmmmmmmmllknmmmmmmm"
+     "mmmmiolnmonmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkplnmmmmmmmmmmmmmmmmmmmmmlnjmmmmmmmmmmmmplmlmmmmn"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmolimmlmmmm"},
+    {{{19, 640}, {0, 512}, {12, 1040}, {18, 1160}, {3, 1040}, {15, 384}},
+     "pnnlmmmmmmmmnmmmmmmmolmkmmmmmmnknlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlnmnmmmmmmmo"
+     "lmmmmmmmnnnmmmmmmlmnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmlknmllnlnlmkllnmllml"
+     "mjmmmkllmknnmmknonnklonmlloomnmmmmlmklmlmnmmlmmlmlnnmmlnmmlklmnmllnlmkmmnmmlmnmnlmnmjnmomnnln"
+     "mkojnmpoimmlnmnmommmmmlkkmololmnlknmqklmm"},
+    {{{6, 246}, {13, 896}, {0, 576}, {3, 1104}, {15, 576}, {14, 1416}},
+     "mmmmmmmmmmmlknlmmmnmljnlmllmlmnmmlmmnnmmlnmmmllmmmkllnmrkpjmmmnnmlnmnmhknpnrmmlmkmommllnlmoln"
+     "mmmmmmmmlmnmmmnnmkmkmmknlmmmpklmqmlkmmmmmmnmmlmmqlnlpmlmmoomkmnonlmmomnmlokmmmmmmmfqjqmmmmmmm"
+     "mmmmmmmmmmmmmmlnmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnmmnmmmmmmmnmnlmnmllmlmonkmmkmlmnnplm"
+     "mnpknmqnjlmmmmmmmmmmmmmmmmonkmmmmmmmlmmlm"},
+    {{{6, 246}, {18, 1539}, {13, 800}, {7, 21}, {8, 0}, {18, 652}},
+     "fjlknhomomnmmmmmmnmmlmnmmkonlmmmmmmmmmmmmmommlmnmmononmkmmlmfnhjmomnommolnmpmmmmmmmmmioknmmmm"
+     "mmtilmmmmmmmllmnmmmmmmmnmommmmmmolnmmmmmmmnmmmmmmmmmlmnmmmmmmmlnnmmjnlnmloklmmmmmmnmmmmmmmmmm"
+     "mmmmmmmmmmmmmmlnlnmmnmlmmmmmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmipknmmmmmmmmmmmmmmmmlnmmmmmmmmmmmm"
+     "mmmmmmollnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{10, 170}, {11, 119}, {4, 402}, {5, 369}, {8, 109}, {21, 0}},
+     "komomllmlmmmmmmmmmmmmlmmmlmmmmljnomllknmnkmlmmnlommmlmmllmmmlmmmmmmmmmnnmlmommlmmnmnmonmmnmmm"
+     "mmmmmmmpmnnmmnmlmnnllmnnklmkjmkmnlmlnmmmmmnjlnmqllnmknommgknomjkmnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmkoipmolnllmmnnmmmmmmonlmmisnnmlnmmmjqnmmjnlmmmmmmmmmmmmmmmmmlommmmmnmmmlmnmmlommljmo"
+     "nmlmmmmmpkommmmmmkolommmmmkmnmnmnmmmiinln"},
+    {{{5, 790}, {16, 384}, {19, 1072}, {8, 69}, {1, 928}, {18, 1160}},
+     "lnmklmnmkmomnkmmmmmmlmnmmmmnmmknoomsmmpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmn"
+     "mmnmmmmmmlnmmmmlmllnnmmmlmmlmmnmnmlmmikmmnlmlnmplnlmmnommnnmmmlmlmmhllomgolnmjknnmhmkmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmkinkmmlmmmmmmmmmmmmmmmmmmmmmmmmnknmnmmnmkmllmqmllmmmmmmmmmmmmmmmmmmmm"
+     "mnqmmmjomnmjpjmmmnmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{6, 146}, {5, 512}, {18, 1338}, {11, 46}, {16, 832}, {7, 16}},
+     "jlmnnlmnmmllmlmnllmmlmllmmmmmmnnllmlmlmmkmmmmmmmommmlmmmlmmmlkllmllknmmnmmmlnnmmmllnnmnmnmtnr"
+     "kmqmolnolnnmoklnnllmnmnnnlmlllmmmmmlmskmmlollmmmlnnmnkllmlkmmlnmmlmlnnnnnnnomkmnnnmlonnoommmo"
+     "monnlnmnmmmnnnlmklmnnmkmjpmnmnmmmmrmlpmolmlmllmmmomllmmnmmmlmonmmmnmmhmjkmmmmlmmmkmmknlommlpo"
+     "mmmmmmipmlmmmlmmomnmmjommmjmnmmimmmmnlknm"},
+    {{{2, 1024}, {3, 1336}, {8, 187}, {12, 832}, {7, 46}, {11, 134}},
+     "jnmommnmmmnmnmmnknmnmmmmmmnmmmmmlmmmkmmmmnlnmnlmmmmmmmmmmmmmonmmmmnkmmmmmnmmmmmmlnmnmmmmmmlnm"
+     "nmmmmmmlnlmmlmlmmmllnmrnlmmlnlnmmmmmmmmmmmmmmmmlnplmkkmnmmmmmmmmmmmqjmlmulnkmmmmmmllmnmjmmlml"
+     "nllmmmmmmoolnmmnkommmlmmmmmmmmmmmmmmmmmiolmnmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmlljnmklmmmkmlnmmmmm"
+     "mmlmmmmmmmmmmmmmmmmmmnjnmmmlmmmmmmmmmmmmm"},
+    {{{7, 146}, {9, 0}, {3, 1072}, {14, 992}, {21, 0}, {10, 107}},
+     "nmmnmommllmmkmloomkmmlmmmmllmmmmmmmlmmmmlmonmnlnknjklmmlknmmmmlmmmonmmnmmmmmmmnmjnnlmmmmmmnnl"
+     "mnmnlmlkkmpmjllmljmkmlknjmlmmmmmmmmmmmmmmmmmmmmkjnnmqkmkmkmkkmklllnmlnkmomnlmmmmmmnmnmmmmmlmm"
+     "moommmmlmmnnommmmkmmmnlmmmmmmmmmmmnlnmmljojnklolmmnnnmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmml"
+     "nmmmmmmmmmmmmmmmmmmmmmmmmmmmlomlnlnmmmmmm"},
+    {{{5, 790}, {11, 237}, {12, 1368}, {18, 568}, {2, 800}, {4, 448}},
+     "mmmmmnlmmmnnlmmmnmmmmmmmmmmmmmnmnlmnmnmmnmnmmimkomflnpmmmlmmplnmmlmmmmmjmlmomllmmnnnmomnmmkkj"
+     "mmmmmmmjnolmiksmnklqommmmmmlmnmmrmmlmmmmmmkppjmipnlminmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkllnmm"
+     "mmmmeokommmmmmlmmnmmmmmmmmmmmmmmmmoknmmmmmmmlnllmpolmmmmmmmmmmmmmmmmmmmmmmlnlnmmmmmmmlmnmmmmm"
+     "mlmmmmmmmmmmllmmmmmmmlmmmmmmmmmmnkmmmmmmm"},
 };
 /* To here. */
 /* clang-format on */

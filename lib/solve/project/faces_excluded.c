@@ -105,9 +105,8 @@ static fmb_status tell_facets_from_faces(face_search *f, closure *o)
     for (size_t i = 0; i < o->m; i++)
         unknown = unknown || o->fate[i] == FMB_FATE_UNKNOWN;
     bool feasible; /* it is: these are rows of a projection that is not empty */
-    return st == FMB_OK && unknown
-               ? fmb_redundant(run, o->n, o->m, o->lp, false, o->fate, &feasible)
-               : st;
+    return st == FMB_OK && unknown ? fmb_redundant(run, o->n, o->m, o->lp, NULL, o->fate, &feasible)
+                                   : st;
 }
 
 static fmb_status list_facets_and_faces(face_search *f)

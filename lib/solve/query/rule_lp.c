@@ -25,7 +25,8 @@ typedef struct look {
     fmb_mem *mem;
     rows at;
     fmb_sorting sorting;
-    bool sorted; /* guesses are over, and the oracle is asked */
+    bool sorted;        /* guesses are over, and the oracle is asked */
+    fmb_pruner *pruner; /* once some of its answers are there */
 } look;
 
 typedef struct patience {
@@ -59,11 +60,11 @@ static fmb_status decide_rows_exactly(const fmb_elim *e, look *l, size_t *open)
 {
     rows *a = &l->at;
     bool feasible; /* if they are not, a rule lied when that was decided */
-    for (size_t i = 0; i < a->size; i++)
+    for (size_t i = 0; !l->pruner && i < a->size; i++)
         if (a->fate[i] == FMB_FATE_UNKNOWN && (a->gone[i] || a->kept[i]))
             a->fate[i] = a->gone[i] ? FMB_FATE_REDUNDANT : FMB_FATE_KEPT;
-    fmb_status st =
-        fmb_redundant(e->run, (size_t)e->n, a->size, a->row, e->pauses, a->fate, &feasible);
+    fmb_status st = fmb_redundant(e->run, (size_t)e->n, a->size, a->row,
+                                  e->pauses ? &l->pruner : NULL, a->fate, &feasible);
     *open = 0;
     for (size_t i = 0; i < a->size; i++) {
         *open += feasible && a->fate[i] == FMB_FATE_UNKNOWN;
@@ -89,6 +90,7 @@ static void close_look(void *self)
 {
     look *l = self;
     fmb_lp_sorting_clear(&l->sorting);
+    fmb_pruner_close(l->pruner);
     (void)hold_row_lists(&l->at, l->mem, false);
     fmb_mem_put(l->mem, l, 1, sizeof *l);
 }

@@ -179,7 +179,7 @@ static void expect_truth(const crowd *c, const fmb_sorting *found)
                 fate[m] = FMB_FATE_UNKNOWN;
                 row[m++] = c->row[i];
             }
-    cr_assert_eq(fmb_redundant(&run, WIDE, m, row, false, fate, &feasible), FMB_OK);
+    cr_assert_eq(fmb_redundant(&run, WIDE, m, row, NULL, fate, &feasible), FMB_OK);
     cr_assert(feasible);
     for (size_t k = 0; k < m; k++) {
         cr_expect(!found->gone[place[k]] || fate[k] == FMB_FATE_REDUNDANT, "row %zu", place[k]);
@@ -259,19 +259,21 @@ static int decide_in_slices(const crowd *c, uint64_t slice, fmb_fate *fate)
     fmb_run run;
     int calls = 0;
     size_t unknown = FEW_ROWS;
+    fmb_pruner *paused = NULL;
     bool feasible;
     fmb_mem_init(&mem, NULL, 0);
     fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
     for (; unknown > 0; calls++) {
         size_t before = unknown;
         run.slice_end = run.work + slice;
-        cr_assert_eq(fmb_redundant(&run, WIDE, FEW_ROWS, c->row, true, fate, &feasible), FMB_OK);
+        cr_assert_eq(fmb_redundant(&run, WIDE, FEW_ROWS, c->row, &paused, fate, &feasible), FMB_OK);
         cr_assert(feasible);
         unknown = 0;
         for (size_t i = 0; i < FEW_ROWS; i++)
             unknown += fate[i] == FMB_FATE_UNKNOWN;
         cr_assert_lt(unknown, before);
     }
+    fmb_pruner_close(paused);
     cr_expect_eq(mem.used, 0);
     return calls;
 }

@@ -67,6 +67,7 @@ static fmb_status factor_by_prime(fmb_factor *f, const fmb_sparse *rows, int k)
 {
     f->q = fmb_prime_number(k);
     fmb_arena_reset(&f->lasting);
+    fmb_run_count(f->run, 300 + 400 * rows->n + 10 * rows->start[rows->n]);
     return fmb_modular_lu_factor(&f->lu, f->run, &f->lasting, &f->passing, rows, &f->q);
 }
 
@@ -262,7 +263,7 @@ static uint64_t work_of_digit(const fmb_dixon *l)
 static uint64_t work_of_fractions(const fmb_dixon *l)
 {
     size_t digits = l->digits;
-    return l->n * (digits * digits / 2 + fmb_limbs_work(digits)) + fmb_gcd_work(digits);
+    return l->n * (200 + digits * digits / 2 + fmb_limbs_work(digits)) + 2 * fmb_gcd_work(digits);
 }
 
 /* Fractions are not looked for before there are as many digits as were enough last time, roughly:

@@ -118,7 +118,7 @@ static fmb_status go_forwards(fmb_minors *f, fmb_run *run, bool transposed)
             st = fmb_run_poll_long(run, y[i]);
         }
         last = p;
-        fmb_run_count(run, (f->n - k) * fmb_limbs_work(mpz_size(p)) / 2);
+        fmb_run_count(run, (f->n - k) * fmb_limbs_work((mpz_size(p) + mpz_size(y[k])) / 2));
         FMB_THEN(st, poll_row(run, f, k));
     }
     return st;
@@ -138,7 +138,8 @@ static fmb_status go_backwards(fmb_minors *f, fmb_run *run, bool transposed, con
         }
         if (i + 1 < f->n)
             mpz_divexact(y[i], y[i], factor_at(f, false, i, i));
-        fmb_run_count(run, (f->n - i) * fmb_limbs_work(mpz_size(y[i])) / 2);
+        size_t limbs = mpz_size(y[i]), factor = mpz_size(factor_at(f, false, i, i));
+        fmb_run_count(run, (f->n - i) * (20 + limbs * factor / 3) + fmb_limbs_work(limbs));
         FMB_THEN(st, poll_row(run, f, i));
     }
     return st;
@@ -158,7 +159,8 @@ fmb_status fmb_minors_solve(fmb_minors *f, fmb_run *run, bool transposed, mpz_t 
             mpz_neg(x[at[k]], f->y.z[k]);
         else
             mpz_set(x[at[k]], f->y.z[k]);
-    fmb_run_count(run, fmb_gcd_work(mpz_size(den)));
+    size_t limbs = mpz_size(den);
+    fmb_run_count(run, (f->n * fmb_limbs_work(limbs) + 3 * fmb_gcd_work(limbs)) / 2);
     const fmb_poll poll = fmb_run_asked(run);
     return fmb_integers_cancel(x, f->n, den, &poll);
 }

@@ -123,6 +123,7 @@ static void note_row_gone(fmb_active_set *s, size_t i)
 /* The cone says that row i is implied: prove it, and let it go. */
 static fmb_status drop_row_if_proved(fmb_active_set *s, size_t i)
 {
+    fmb_run_count(s->run, 200 + 4 * s->of->d * s->of->d);
     if (!round_multipliers_of_basis(s, i) ||
         !fmb_rounded_proof_holds(&s->proof, s->of->n, s->of->row, i)) {
         s->doubtful++;

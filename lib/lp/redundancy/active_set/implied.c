@@ -385,6 +385,7 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
         out->doubtful = m;
         if (!are_rows_small(m, row) || !fmb_way(FMB_WAY_ACTIVE_SET))
             return FMB_OK;
+        fmb_run_count(run, m * (100 + 8 * (size_t)n));
         st = open_sorting(run, n, m, row, out, &s);
     }
     if (s) {
