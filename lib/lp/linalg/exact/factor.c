@@ -205,7 +205,7 @@ static bool find_numerator(fmb_factor *f, const asked *s, size_t k, size_t short
     if (mpz_cmp(f->a, f->y) < 0)
         mpz_neg(x, f->a);
     else
-        mpz_swap(x, f->y);
+        mpz_set(x, f->y);
     return true;
 }
 
