@@ -92,14 +92,13 @@ fmb_status fmb_basis_inverse_set(fmb_basis_inverse *c, const size_t *member,
 }
 
 fmb_status fmb_basis_inverse_replace(fmb_basis_inverse *c, size_t r, size_t i,
-                                     const fmb_indexed_vector *entry,
-                                     const fmb_indexed_vector *edge)
+                                     const fmb_indexed_vector *entry)
 {
     fmb_status st = FMB_OK;
     if (c->has_inverse)
         fmb_dense_inverse_replace(&c->inverse, r, entry->at);
     else
-        st = fmb_updated_lu_pivot(&c->lu, r, i, entry, edge);
+        st = fmb_updated_lu_pivot(&c->lu, r, i, entry->at[r]);
     c->failed = st != FMB_OK;
     c->member[r] = i;
     c->pivots++;

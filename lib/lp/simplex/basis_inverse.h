@@ -32,10 +32,10 @@ void fmb_basis_inverse_clear(fmb_basis_inverse *c);
  * entry is scratch. Errors: MEMORY, LIMIT. */
 fmb_status fmb_basis_inverse_set(fmb_basis_inverse *c, const size_t *member,
                                  fmb_indexed_vector *entry);
-/* Member i, just written, takes place r, whose edge this is. Errors: MEMORY, LIMIT. */
+/* Member i, the last to be written, as `entry`, takes place r, whose edge was the last to be looked
+ * for. Errors: MEMORY, LIMIT. */
 fmb_status fmb_basis_inverse_replace(fmb_basis_inverse *c, size_t r, size_t i,
-                                     const fmb_indexed_vector *entry,
-                                     const fmb_indexed_vector *edge);
+                                     const fmb_indexed_vector *entry);
 /* Have errors gathered since it was computed afresh? */
 bool fmb_basis_inverse_is_stale(const fmb_basis_inverse *c);
 

@@ -179,7 +179,7 @@ fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i)
     fmb_indexed_vector_subtract(&o->entry, multiplier, o->y, k);
     o->y[r] = multiplier;
     o->slack[i] = 0;
-    fmb_status st = fmb_basis_inverse_replace(&o->basis, r, i, &o->entry, &o->edge);
+    fmb_status st = fmb_basis_inverse_replace(&o->basis, r, i, &o->entry);
     if (old < FMB_UNIT)
         fmb_simplex_state_note_role(o, old);
     note_member(o, r);
@@ -228,7 +228,7 @@ static fmb_status pivot_to_unit(fmb_simplex_state *o, size_t r)
         best = fabs(o->edge.at[j]) > fabs(o->edge.at[best]) ? j : best;
     }
     fmb_basis_inverse_write(&o->basis, FMB_UNIT + best, &o->entry);
-    fmb_status st = fmb_basis_inverse_replace(&o->basis, r, FMB_UNIT + best, &o->entry, &o->edge);
+    fmb_status st = fmb_basis_inverse_replace(&o->basis, r, FMB_UNIT + best, &o->entry);
     fmb_simplex_state_note_role(o, old);
     note_member(o, r);
     return st == FMB_OK ? fmb_simplex_state_refresh(o) : st;

@@ -148,7 +148,7 @@ static bool exchange(bench *b, support_rng *g)
     cr_assert_eq(fmb_indexed_vector_resize(&edge, &b->mem, b->n), FMB_OK);
     fmb_indexed_vector_add(&b->in, place, 1);
     fmb_updated_lu_solve(&b->factors, &b->in, &edge);
-    cr_assert_eq(fmb_updated_lu_pivot(&b->factors, place, i, &b->out, &edge), FMB_OK);
+    cr_assert_eq(fmb_updated_lu_pivot(&b->factors, place, i, b->out.at[place]), FMB_OK);
     fmb_indexed_vector_free(&edge, &b->mem);
     b->member[place] = i;
     return true;

@@ -85,29 +85,24 @@ static fmb_status write_core_factors(fmb_updated_lu *u, const fmb_markowitz *m, 
                                      const int *column)
 {
     fmb_mem *mem = u->f->run->mem;
+    fmb_compressed_rows *upper = &u->upper.ahead, *lower = &u->lower.ahead;
     size_t entries = 0, at = 0;
     for (int k = 0; k < m->pivots; k++)
         entries += (size_t)m->row.size[m->row_at[k]];
-    fmb_status st = fmb_compressed_rows_reserve(&u->upper, mem, entries);
-    FMB_THEN(st, fmb_compressed_rows_reserve(&u->lower, mem, m->multipliers));
-    for (int k = 0; st == FMB_OK && k < m->pivots; k++) {
+    FMB_TRY(fmb_compressed_rows_reserve(upper, mem, entries));
+    FMB_TRY(fmb_compressed_rows_reserve(lower, mem, m->multipliers));
+    for (int k = 0; k < m->pivots; k++) {
         int r = m->row_at[k], c = m->column_at[k];
         const int *e = &m->row.entry[m->row.start[r]];
         const fmb_number *v = &m->row.value[m->row.start[r]];
-        u->place[k] = place[r];
-        u->column[k] = column[c];
-        u->step_of_place[place[r]] = u->step_of_column[column[c]] = k;
-        u->pivot[k] = v[0].real;
         for (int t = 1; t < m->row.size[r]; t++)
-            fmb_compressed_rows_push(&u->upper, (size_t)column[e[t]], v[t].real);
+            fmb_compressed_rows_push(upper, (size_t)column[e[t]], v[t].real);
         for (; at < m->multipliers && m->multiplier[at].pivot == k; at++)
-            fmb_compressed_rows_push(&u->lower, (size_t)place[m->multiplier[at].row],
+            fmb_compressed_rows_push(lower, (size_t)place[m->multiplier[at].row],
                                      m->multiplier[at].value.real);
-        u->upper.start[k + 1] = u->upper.size;
-        u->lower.start[k + 1] = u->lower.size;
+        fmb_updated_lu_take_slot(u, place[r], column[c], v[0].real);
     }
-    u->steps = st == FMB_OK ? (size_t)m->pivots : 0;
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status eliminate_in(fmb_updated_lu *u, fmb_arena *arena)
@@ -133,10 +128,6 @@ static fmb_status eliminate_in(fmb_updated_lu *u, fmb_arena *arena)
 
 fmb_status fmb_updated_lu_eliminate(fmb_updated_lu *u)
 {
-    u->steps = u->lower.size = u->upper.size = 0;
-    u->lower.start[0] = u->upper.start[0] = 0;
-    for (size_t k = 0; k < u->n; k++)
-        u->step_of_place[k] = u->step_of_column[k] = -1;
     fmb_arena_reset(&u->arena);
     return eliminate_in(u, &u->arena);
 }

@@ -1,24 +1,35 @@
 /* updated_lu.h: the members of a basis as a sparse matrix W, factored in doubles, and exchanged one
  * by one.
  *
- * Row r of W is the member at place r. Members that name one column alone, bounds as a rule, are
- * not factored: a place and a column leave with each of them, and what other members have in that
- * column is kept beside. Of what is left, the core, elimination takes pivots step by step: step k
- * has a place and a column; the row of that place, less what earlier steps took away, is a row of
- * U; its multiples are subtracted from rows of later steps, which is L. Members that come in
- * afterwards are kept as etas. Where row a takes place p of W, `entry` writes a in W and `edge` is
- * column p of the inverse, W' = (I + e_p (entry - e_p)) W    so    y W' = c follows from y W = c,
- * and W'^-1 = W^-1 - edge (a W^-1 - e_p) / entry_p    so    W' x = b follows from W x = b, both
- * without looking at what is zero. Steps where something is not zero are marked in a bit set.
+ * Row r of W is the member at place r. Members that name one column alone, bounds as a rule, rest:
+ * they are not factored, a place and a column leave with each of them, and what other members have
+ * in that column is kept beside. What is left, the core, is W = M T_k ... T_1 V. Elimination takes
+ * pivots step by step, each with a place and a column: the row of that place, less what earlier
+ * steps took away, is a row of V, and has a slot; its multiples that were subtracted from rows of
+ * later steps are in M, with ones as pivots. There is no T at first.
  *
- * A singleton rests until it is exchanged. The number y_p at its place p follows from its column j
- * once others are known, y_p w_pj = c_j - sum_r y_r w_rj: at the end, or just before the place is
- * exchanged, from the members as they are then. So what exchanges change at places that rest is not
- * kept, and all that is kept is of the core.
+ * Theorem 1. Row a takes place p of the core, with slot s. Let z = M^-1 e_p, and x_p the number at
+ * place p of a written in W. Then W' = M' T T_k ... T_1 V, where T subtracts z_q / z_s times number
+ * s from each other number q, and M' is M without its row and column s, and with m = a V^-1 T_1^-1
+ * ... T_k^-1 as a last row, with the pivot x_p times the old one of s.
+ *
+ * Proof. M with row m in place of row s, times T_k ... T_1 V, is W'. In M T^-1 column s is M z /
+ * z_s by what is in it: it vanishes in all rows but s. Other columns are as they were. The
+ * determinants of W' and W have the ratio x_p, and so have the pivots.
+ *
+ * Theorem 2. Place p rests, with column j and coefficient w, and row a takes it. Then p gets a slot
+ * with a row of V of w alone; column j of V is -w T_1^-1 ... T_k^-1 M^-1 times what edge p
+ * subtracts from the core, and M gets m as a last row as before, with the pivot x_p.
+ *
+ * Proof. Before a comes in, that is W with row w e_j, and with column j of the others. A row of M
+ * of 1 alone then becomes that of a, in a column where no other row has a number.
+ *
+ * Both m and z are halves of what was solved last: a written in W, and edge p. What is at a place
+ * that rests follows from its column j once others are known, y_p w = c_j - sum_r y_r w_rj.
  *
  * Source: Markowitz 1957, The elimination form of the inverse and its application to linear
- * programming; Dantzig and Orchard-Hays 1954, The product form for the inverse in the simplex
- * method; Huangfu and Hall 2015, Novel update techniques for the revised simplex method.
+ * programming; Forrest and Tomlin 1972, Updated triangular factors of the basis to maintain
+ * sparsity in the product form simplex method.
  */
 #ifndef FMB_LP_UPDATED_LU_H
 #define FMB_LP_UPDATED_LU_H
@@ -26,58 +37,29 @@
 #include "base/arena.h"
 #include "base/mem.h"
 #include "lp/linalg/doubles/indexed_vector.h"
+#include "lp/linalg/doubles/triangle.h"
 #include "lp/model/scaled_program.h"
 
-/* Lists of numbered values, one after another: list k is start[k] .. start[k + 1]. */
-typedef struct fmb_compressed_rows {
-    size_t *start; /* [n + 1] */
-    int *index;
-    double *value;
-    size_t size, index_room, value_room, start_room;
-} fmb_compressed_rows;
-
-/* Room for the starts of so many lists. Errors: MEMORY, LIMIT. */
-fmb_status fmb_compressed_rows_reserve_starts(fmb_compressed_rows *l, fmb_mem *mem, size_t lists);
-void fmb_compressed_rows_free(fmb_compressed_rows *l, fmb_mem *mem);
-
-/* Room for so many values more. Errors: MEMORY, LIMIT. */
-fmb_status fmb_compressed_rows_reserve(fmb_compressed_rows *l, fmb_mem *mem, size_t more);
-static inline void fmb_compressed_rows_push(fmb_compressed_rows *l, size_t index, double value)
-{
-    l->index[l->size] = (int)index;
-    l->value[l->size++] = value;
-}
-
-/* An exchange: member i takes this place; right is scratch. */
-typedef struct fmb_eta {
-    size_t place, member;
-    double pivot, right;
-} fmb_eta;
+/* Exchanges that are kept. */
+#define FMB_MOST_EXCHANGES 101
 
 typedef struct fmb_updated_lu {
     const fmb_scaled_program *f;
-    size_t n, steps;
-    size_t *member;                      /* [n] at each place as it is now */
-    int *singleton;                      /* [n] by place: its column, -1: the core */
-    int *singleton_of;                   /* [n] by column: its place, -1: the core */
-    double *reciprocal;                  /* [n] by place: of the coefficient of a singleton */
-    bool *rests;                         /* [n] by place: a singleton, not exchanged yet */
-    int *resting;                        /* [n] by column: its place if that rests, -1 */
-    int *latest;                         /* [n] by place: its last exchange, -1: none */
-    fmb_compressed_rows beside;          /* by column of a singleton: place in the core, value */
-    int *place, *column;                 /* [steps] of each step */
-    int *step_of_place, *step_of_column; /* [n] -1: a singleton's */
-    double *pivot;                       /* [steps] of each step */
-    fmb_compressed_rows lower, lower_by_target; /* by step: place, factor; by step of the place:
-                                         place of the pivot, factor */
-    fmb_compressed_rows upper,
-        upper_by_column;             /* by step: column, value; by step of the column: place */
-    fmb_compressed_rows entry, edge; /* by exchange: place, entry, without the pivot and places at
-                              rest; column, edge */
-    fmb_compressed_rows activated; /* by exchange of a place at rest: place, value of its column */
-    fmb_eta *eta;                  /* [etas] */
-    size_t eta_room, etas;
-    uint64_t *marks; /* [n / 64 + 1], all zero between calls */
+    size_t n, core;             /* places; that the elimination found pivots for */
+    size_t *member;             /* [n] at each place as it is now */
+    int *singleton;             /* [n] by place: its column while it rests, -1 */
+    int *singleton_of;          /* [n] by column: its place while that rests, -1 */
+    double *reciprocal;         /* [n] by place: of the coefficient of a singleton */
+    bool *is_exchanged;         /* [n] by place */
+    int *exchanged;             /* [exchanges] these places */
+    fmb_compressed_rows beside; /* by column of a singleton: place in the core, value, at first */
+    fmb_triangle lower, upper;  /* M, V: `upper` by slots */
+    int *slot_of_place, *slot_of_column, *slot_of_step; /* [n], -1: it rests; [n + exchanges] */
+    int *place, *column, *step;                         /* [n] by slot */
+    fmb_compressed_rows turn;                           /* T: slot, multiple */
+    int *turned;                                        /* [turns] number s of each */
+    fmb_compressed_rows written, left; /* by slot: m of the last solution, z or -V_j/w of it */
+    size_t exchanges, turns;
     fmb_arena arena; /* of an elimination */
 } fmb_updated_lu;
 
@@ -88,16 +70,15 @@ void fmb_updated_lu_clear(fmb_updated_lu *u);
 /* Factor these members; one that depends on others becomes a unit vector, in member itself. Errors:
  * MEMORY, LIMIT; then nothing is factored. */
 fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member);
-/* This member takes the place, of which these are the writing and the edge. Errors: MEMORY, LIMIT.
- */
-fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member,
-                                const fmb_indexed_vector *entry, const fmb_indexed_vector *edge);
+/* This member, which was the last to be written, takes the place, whose edge was the last solution:
+ * with this entry there. Errors: MEMORY, LIMIT. */
+fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member, double entry);
 /* Would factoring afresh pay? */
 bool fmb_updated_lu_is_long(const fmb_updated_lu *u);
 
 /* W x = b: b by place becomes zero, x is by column. */
 void fmb_updated_lu_solve(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexed_vector *x);
-/* y W = c: c by column becomes zero, y is by place. */
+/* y W = c: c by column becomes zero, y is by place; full where most is not zero. */
 void fmb_updated_lu_solve_transposed(fmb_updated_lu *u, fmb_indexed_vector *c,
                                      fmb_indexed_vector *y);
 
@@ -119,8 +100,21 @@ static inline fmb_terms fmb_member_terms(const fmb_scaled_program *f, size_t i, 
     return (fmb_terms){one, &one_itself, 1};
 }
 
-/* Pivots, lower and upper by steps, of the core; places whose rows vanish get no step. Columns and
- * places without one have step -1; steps is the number of pivots. Errors: MEMORY, LIMIT. */
+/* Pivots of the core by slots, with their rows as `upper.ahead`, by column, and multiples as
+ * `lower.ahead`, by place; places whose rows vanish get no slot, and have -1, as have columns.
+ * Errors: MEMORY, LIMIT. */
 fmb_status fmb_updated_lu_eliminate(fmb_updated_lu *u);
+/* This pivot has the next slot, whose lists are complete. */
+static inline void fmb_updated_lu_take_slot(fmb_updated_lu *u, int place, int column, double pivot)
+{
+    size_t k = u->core++;
+    u->place[k] = place;
+    u->column[k] = column;
+    u->slot_of_place[place] = u->slot_of_column[column] = u->slot_of_step[k] = u->step[k] = (int)k;
+    u->upper.pivot[k] = pivot;
+    u->lower.pivot[k] = 1;
+    u->upper.ahead.start[k + 1] = u->upper.ahead.size;
+    u->lower.ahead.start[k + 1] = u->lower.ahead.size;
+}
 
 #endif
