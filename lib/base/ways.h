@@ -36,8 +36,8 @@
     WAY(TRIANGULAR, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")       \
     WAY(MINORS, "minors", "lp/linalg/exact/minors", "exact: small bases without fractions")        \
     WAY(FACTORED, "LU with updates",                                                               \
-        "lp/linalg/doubles/updated_lu lp/linalg/doubles/updated_lu_solve "                         \
-        "lp/linalg/doubles/eliminate_core",                                                        \
+        "lp/linalg/doubles/triangle lp/linalg/doubles/updated_lu "                                 \
+        "lp/linalg/doubles/updated_lu_solve lp/linalg/doubles/eliminate_core",                     \
         "doubles: a basis as sparse triangles instead of a dense inverse")                         \
     WAY(RAY_SHOOTING, "ray shooting",                                                              \
         "lp/redundancy/ray_shooting/ray_shooting lp/redundancy/ray_shooting/ray_sorter "           \

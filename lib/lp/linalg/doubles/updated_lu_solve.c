@@ -1,4 +1,4 @@
-/* updated_lu.c: see updated_lu.h. */
+/* updated_lu_solve.c: see updated_lu.h. */
 #include "lp/linalg/doubles/updated_lu.h"
 
 #include "base/arrays.h"
@@ -179,7 +179,7 @@ static void keep_turn(fmb_updated_lu *u, size_t s)
     u->turn.start[u->turns] = u->turn.size;
 }
 
-static fmb_status reserve_exchange(fmb_updated_lu *u)
+static fmb_status reserve_pivot(fmb_updated_lu *u)
 {
     fmb_mem *mem = u->f->run->mem;
     FMB_TRY(fmb_triangle_reserve(&u->lower, mem, u->written.size));
@@ -189,7 +189,7 @@ static fmb_status reserve_exchange(fmb_updated_lu *u)
 
 fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member, double entry)
 {
-    FMB_TRY(reserve_exchange(u));
+    FMB_TRY(reserve_pivot(u));
     size_t s;
     if (u->singleton[place] >= 0) {
         s = wake_place(u, place);
