@@ -191,12 +191,12 @@ fmb_status fmb_dixon_step(fmb_dixon *l)
 /* Of so many digits, which take no longer than milliseconds, one asks whether to go on. */
 #define ASKING_DIGITS 512
 
-fmb_status fmb_dixon_value(fmb_dixon *l, size_t k, mpz_t out, const fmb_poll *poll)
+fmb_status fmb_dixon_value(fmb_dixon *l, size_t k, size_t digits, mpz_t out, const fmb_poll *poll)
 {
     fmb_status st = FMB_OK;
-    (void)mpz_limbs_write(out, (mp_size_t)(l->digits * FMB_PRIME_BITS / GMP_NUMB_BITS + 2));
+    (void)mpz_limbs_write(out, (mp_size_t)(digits * FMB_PRIME_BITS / GMP_NUMB_BITS + 2));
     mpz_limbs_finish(out, 0); /* 0, with room for all digits */
-    for (size_t s = l->digits; st == FMB_OK && s-- > 0;) {
+    for (size_t s = digits; st == FMB_OK && s-- > 0;) {
         fmb_integer_times_u64(out, out, l->q->p);
         fmb_integer_plus_u64(out, out, l->digit[s * l->n + k]);
         st = s > 0 && s % ASKING_DIGITS == 0 ? fmb_poll_ask(poll) : FMB_OK;

@@ -45,7 +45,7 @@ void fmb_dixon_clear(fmb_dixon *l);
 fmb_status fmb_dixon_begin(fmb_dixon *l, mpz_t *right, const int *at);
 /* One more digit. Errors: MEMORY, LIMIT. */
 fmb_status fmb_dixon_step(fmb_dixon *l);
-/* Unknown k modulo p^digits, not negative. Errors: what poll says. */
-fmb_status fmb_dixon_value(fmb_dixon *l, size_t k, mpz_t out, const fmb_poll *poll);
+/* Unknown k modulo p^digits, not negative, from so many of the digits. Errors: what poll says. */
+fmb_status fmb_dixon_value(fmb_dixon *l, size_t k, size_t digits, mpz_t out, const fmb_poll *poll);
 
 #endif

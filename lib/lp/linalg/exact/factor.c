@@ -27,7 +27,7 @@ struct fmb_factor {
     bool *reached;             /* [n] scratch of substitution */
     fmb_rational rational;
     fmb_integers factor; /* [n] scratch: what came into d for each unknown in turn */
-    mpz_t m, y, a, d;
+    mpz_t m, y, a, d, part;
     size_t usual[2]; /* digits that were enough last time */
 };
 
@@ -41,7 +41,7 @@ fmb_status fmb_factor_new(fmb_run *run, const fmb_program *p, fmb_factor **out)
     fmb_arena_init(&f->lasting, f->mem);
     fmb_arena_init(&f->passing, f->mem);
     fmb_rational_init(&f->rational);
-    mpz_inits(f->m, f->y, f->a, f->d, NULL);
+    mpz_inits(f->m, f->y, f->a, f->d, f->part, NULL);
     *out = f;
     return FMB_OK;
 }
@@ -55,7 +55,7 @@ void fmb_factor_free(fmb_factor *f)
     fmb_minors_clear(&f->minors, f->mem);
     fmb_rational_clear(&f->rational);
     fmb_integers_clear(&f->factor, f->mem);
-    mpz_clears(f->m, f->y, f->a, f->d, NULL);
+    mpz_clears(f->m, f->y, f->a, f->d, f->part, NULL);
     fmb_arena_clear(&f->lasting);
     fmb_arena_clear(&f->passing);
     fmb_mem_put(f->mem, f, 1, sizeof *f);
@@ -139,25 +139,33 @@ static fmb_status prepare_lifting(fmb_factor *f, bool across)
 
 /* ---- solutions ------------------------------------------------------------------------------- */
 
-/* What one solution is asked: x[at[k]] is unknown k. */
+/* What one solution is asked: x[at[k]] is unknown k, right[right_at[k]] the right side of row k. */
 typedef struct asked {
     fmb_dixon *lift;
-    const int *at;
+    mpz_t *right;
+    const int *right_at, *at;
     mpz_t *x;
     size_t right_bits;
+    bool whole; /* all digits are looked at, of each number */
+    size_t
+        some; /* of them, which make numbers modulo f->part: as many as numbers were long so far */
 } asked;
 
 #define GUARD_BITS 24
 
-/* f->y = f->d times unknown k, modulo f->m. False: the query ends, as it says at the next digit. */
-static bool scale_unknown(fmb_factor *f, const asked *s, size_t k)
+/* f->y = f->d times unknown k modulo p^digits = m, the number nearest to 0. False: the query ends,
+ * as it says at the next digit. */
+static bool scale_unknown(fmb_factor *f, const asked *s, size_t k, size_t digits, const mpz_t m)
 {
     const fmb_poll poll = fmb_run_asked(f->run);
-    if (fmb_dixon_value(s->lift, k, f->y, &poll) != FMB_OK)
+    if (fmb_dixon_value(s->lift, k, digits, f->y, &poll) != FMB_OK)
         return false;
     mpz_mul(f->y, f->y, f->d);
-    mpz_fdiv_r(f->y, f->y, f->m);
-    return fmb_run_poll_long(f->run, f->m) == FMB_OK;
+    mpz_fdiv_r(f->y, f->y, m);
+    mpz_sub(f->a, m, f->y);
+    if (mpz_cmp(f->a, f->y) < 0)
+        mpz_neg(f->y, f->a);
+    return fmb_run_poll_long(f->run, m) == FMB_OK;
 }
 
 /* The i-th unknown that is looked at: those first that others follow from. */
@@ -166,11 +174,15 @@ static size_t unknown_in_turn(const fmb_factor *f, const asked *s, size_t i)
     return s->lift == &f->lift[0] ? s->lift->n - 1 - i : i;
 }
 
-/* Is f->y, or f->y - m, of at most so many bits? */
-static bool is_short(fmb_factor *f, size_t bits)
+/* From now on numbers are expected to be no longer than f->y, and have a digit to spare. */
+static void expect_length(fmb_factor *f, asked *s)
 {
-    mpz_sub(f->a, f->m, f->y);
-    return mpz_sizeinbase(mpz_cmp(f->a, f->y) < 0 ? f->a : f->y, 2) <= bits;
+    size_t digits = mpz_sizeinbase(f->y, 2) / (FMB_PRIME_BITS - 1) + 3;
+    if (digits >= s->lift->digits || (s->some < s->lift->digits && digits <= s->some))
+        return;
+    mpz_set_ui(f->part, 1);
+    for (s->some = 0; s->some < digits; s->some++)
+        fmb_integer_times_u64(f->part, f->part, f->q.p);
 }
 
 /* f->y is a fraction over what f->d lacks: multiply that in. False: none is found yet, or
@@ -179,6 +191,8 @@ static bool widen_denominator(fmb_factor *f, size_t m_bits)
 {
     const fmb_poll poll = fmb_run_asked(f->run);
     size_t half = (m_bits + mpz_sizeinbase(f->d, 2)) / 2;
+    if (mpz_sgn(f->y) < 0)
+        mpz_add(f->y, f->y, f->m);
     if (m_bits < half + GUARD_BITS ||
         !fmb_rational_find(&f->rational, f->y, f->m, half, m_bits - half - GUARD_BITS, f->a, f->y,
                            &poll) ||
@@ -190,30 +204,38 @@ static bool widen_denominator(fmb_factor *f, size_t m_bits)
 
 /* d times unknown k, and what is multiplied into d for it; 0 stands for 1, which it is as a rule.
  */
-static bool find_numerator(fmb_factor *f, const asked *s, size_t k, size_t shorter, mpz_t factor)
+static bool find_numerator(fmb_factor *f, asked *s, size_t k, size_t shorter, mpz_t factor)
 {
     mpz_ptr x = s->x[s->at[k]];
+    size_t digits = s->lift->digits;
     mpz_set_ui(factor, 0);
-    if (!scale_unknown(f, s, k))
+    if (s->some < digits) {
+        if (!scale_unknown(f, s, k, s->some, f->part))
+            return false;
+        mpz_set(x, f->y);
+        if (mpz_sizeinbase(x, 2) + FMB_PRIME_BITS <= mpz_sizeinbase(f->part, 2))
+            return true;
+    }
+    if (!scale_unknown(f, s, k, digits, f->m))
         return false;
-    if (!is_short(f, shorter)) {
+    if (mpz_sizeinbase(f->y, 2) > shorter) {
         bool widened = widen_denominator(f, mpz_sizeinbase(f->m, 2) - 1);
         mpz_swap(x, f->a);
         mpz_swap(factor, f->y);
         return widened;
     }
-    if (mpz_cmp(f->a, f->y) < 0)
-        mpz_neg(x, f->a);
-    else
-        mpz_set(x, f->y);
+    mpz_set(x, f->y);
+    if (!s->whole)
+        expect_length(f, s);
     return true;
 }
 
 /* Numerators over the d of their moment, one unknown after the other; then what came into d after
  * that is multiplied in. */
-static bool find_numerators(fmb_factor *f, const asked *s, size_t shorter)
+static bool find_numerators(fmb_factor *f, asked *s, size_t shorter)
 {
     bool found = true;
+    s->some = s->lift->digits;
     for (size_t i = 0; found && i < s->lift->n; i++)
         found = find_numerator(f, s, unknown_in_turn(f, s, i), shorter, f->factor.z[i]);
     mpz_set_ui(f->a, 1);
@@ -228,13 +250,35 @@ static bool find_numerators(fmb_factor *f, const asked *s, size_t shorter)
     return found;
 }
 
+/* Is B x = d right, in integers? */
+static bool is_solution(fmb_factor *f, const asked *s)
+{
+    const fmb_sparse *b = s->lift->b;
+    bool holds = true;
+    for (size_t k = 0; holds && k < b->n; k++) {
+        mpz_mul(f->a, f->d, s->right[s->right_at[k]]);
+        for (size_t t = b->start[k]; t < b->start[k + 1]; t++) {
+            mpz_srcptr x = s->x[s->at[b->index[t]]];
+            if (b->big && b->big[t])
+                mpz_submul(f->a, b->big[t], x);
+            else
+                fmb_integer_add_product_i64(f->a, x, -b->value[t]);
+        }
+        holds = mpz_sgn(f->a) == 0 && fmb_run_poll_long(f->run, f->a) == FMB_OK;
+    }
+    return holds;
+}
+
 /* Theorem. Let m = p^k, x the digits so far: B x = right modulo m. If y = d x modulo m, then B y =
  * d right modulo m; and if both sides are less than m/2, B y = d right.
  *
  * A fraction may look short by chance before its denominator is in d (m is not at random: 1/2^30
  * is, modulo some powers of some primes), and not after: then all are looked for once more, with d
- * as it is by then, and that one is not short again, or d has grown. */
-static bool find_common_denominator(fmb_factor *f, const asked *s)
+ * as it is by then, and that one is not short again, or d has grown.
+ *
+ * Most numbers are about as long as each other, and shorter than m. So they are taken from a few
+ * digits first, and multiplied back; only where that fails, from all. */
+static bool find_common_denominator(fmb_factor *f, asked *s)
 {
     size_t m_bits = mpz_sizeinbase(f->m, 2) - 1, norm_bits = s->lift->b->bits_max;
     if (m_bits < norm_bits + 2 + GUARD_BITS)
@@ -247,8 +291,12 @@ static bool find_common_denominator(fmb_factor *f, const asked *s)
         fits = true;
         for (size_t k = 0; fits && k < s->lift->n; k++)
             fits = mpz_sizeinbase(s->x[s->at[k]], 2) <= room;
+        s->whole = s->whole || !fits;
     }
-    return mpz_sizeinbase(f->d, 2) + s->right_bits + 2 <= m_bits;
+    if (mpz_sizeinbase(f->d, 2) + s->right_bits + 2 > m_bits)
+        return false;
+    s->whole = s->some < s->lift->digits && !is_solution(f, s);
+    return !s->whole;
 }
 
 /* Steps of a digit: residuals, of a word or more each, and both factors. */
@@ -304,7 +352,7 @@ static size_t count_most_digits(const fmb_sparse *b, size_t right_bits)
 static fmb_status solve_by_lifting(fmb_factor *f, fmb_dixon *lift, mpz_t *right,
                                    const int *right_at, const int *at, mpz_t *x, mpz_t den)
 {
-    asked s = {.lift = lift, .at = at, .x = x};
+    asked s = {.lift = lift, .right = right, .right_at = right_at, .at = at, .x = x};
     if (lift->n == 0) {
         mpz_set_ui(den, 1);
         return FMB_OK;
