@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/arrays.h"
-#include "lp/linalg/doubles/indexed_vector.h"
 
 /* ---- lists ----------------------------------------------------------------------------------- */
 
@@ -55,17 +54,18 @@ void fmb_triangle_clear(fmb_triangle *t, fmb_mem *mem)
 
 /* ---- steps ----------------------------------------------------------------------------------- */
 
-fmb_status fmb_triangle_finish(fmb_triangle *t, fmb_mem *mem, size_t steps)
+fmb_status fmb_triangle_finish(fmb_triangle *t, fmb_mem *mem, size_t steps, const int *step_of)
 {
-    const fmb_compressed_rows *from = &t->ahead;
-    fmb_compressed_rows *to = &t->back;
+    fmb_compressed_rows *from = &t->ahead, *to = &t->back;
     t->steps = steps;
     t->links = to->size = 0;
     FMB_TRY(fmb_compressed_rows_reserve(to, mem, from->size));
     memset(to->start, 0, (steps + 1) * sizeof *to->start);
     memset(t->last, -1, t->most * sizeof *t->last);
-    for (size_t i = 0; i < from->size; i++)
+    for (size_t i = 0; i < from->size; i++) {
+        from->index[i] = step_of[from->index[i]];
         to->start[from->index[i]]++;
+    }
     for (size_t k = 0, sum = 0; k <= steps; k++) {
         sum += to->start[k];
         to->start[k] = sum;
@@ -84,6 +84,13 @@ fmb_status fmb_triangle_reserve(fmb_triangle *t, fmb_mem *mem, size_t numbers)
 {
     fmb_status st = FMB_RESERVE(mem, &t->link, &t->link_room, t->links + numbers);
     return st == FMB_OK ? fmb_compressed_rows_reserve(&t->back, mem, numbers) : st;
+}
+
+void fmb_triangle_push(fmb_triangle *t, size_t q, double value)
+{
+    fmb_compressed_rows_push(&t->back, q, value);
+    t->link[t->links] = (fmb_link){t->last[q], (int)t->steps, value};
+    t->last[q] = (int)t->links++;
 }
 
 void fmb_triangle_add(fmb_triangle *t, double pivot)
@@ -143,4 +150,47 @@ void fmb_triangle_backward(fmb_triangle *t)
             if (divide_by_pivot(t, k))
                 subtract_list(t, &t->back, k);
         }
+}
+
+/* ---- numbers --------------------------------------------------------------------------------- */
+
+void fmb_triangle_list(const fmb_triangle *t, fmb_compressed_rows *l)
+{
+    l->size = 0;
+    for (size_t w = 0; w <= t->steps / 64; w++)
+        for (uint64_t left = t->marks[w]; left != 0; left &= left - 1) {
+            size_t k = 64 * w + (size_t)__builtin_ctzll(left);
+            if (fabs(t->v[k]) > FMB_NOTHING)
+                fmb_compressed_rows_push(l, k, t->v[k]);
+        }
+}
+
+/* A step that is marked, from word *w of the marks on, and is not any more: *x was there, now it is
+ * 0. False: none is. */
+static inline bool take_number(fmb_triangle *t, size_t *w, size_t *k, double *x)
+{
+    while (t->marks[*w] == 0)
+        if (++*w > t->steps / 64)
+            return false;
+    *k = 64 * *w + (size_t)__builtin_ctzll(t->marks[*w]);
+    t->marks[*w] &= t->marks[*w] - 1;
+    *x = t->v[*k];
+    t->v[*k] = 0;
+    return true;
+}
+
+void fmb_triangle_move(fmb_triangle *t, const int *at, fmb_triangle *to)
+{
+    size_t k, w = 0;
+    for (double x; take_number(t, &w, &k, &x);)
+        if (fabs(x) > FMB_NOTHING)
+            fmb_triangle_put(to, (size_t)at[k], x);
+}
+
+void fmb_triangle_hand_out(fmb_triangle *t, const int *at, fmb_indexed_vector *to)
+{
+    size_t k, w = 0;
+    for (double x; take_number(t, &w, &k, &x);)
+        if (fabs(x) > FMB_NOTHING)
+            fmb_indexed_vector_add(to, (size_t)at[k], x);
 }

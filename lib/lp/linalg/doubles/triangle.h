@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #include "base/mem.h"
+#include "lp/linalg/doubles/indexed_vector.h"
 
 /* Lists of numbered values, one after another: list k is start[k] .. start[k + 1]. */
 typedef struct fmb_compressed_rows {
@@ -53,18 +54,14 @@ typedef struct fmb_triangle {
 /* No steps yet, and room for some. In any case fmb_triangle_clear it. Errors: MEMORY, LIMIT. */
 fmb_status fmb_triangle_init(fmb_triangle *t, fmb_mem *mem, size_t most);
 void fmb_triangle_clear(fmb_triangle *t, fmb_mem *mem);
-/* Pivots and `ahead` are those of so many steps: write `back`. Errors: MEMORY, LIMIT. */
-fmb_status fmb_triangle_finish(fmb_triangle *t, fmb_mem *mem, size_t steps);
+/* Pivots and `ahead` are those of so many steps, with step_of[i] as i: write `back`. Errors:
+ * MEMORY, LIMIT. */
+fmb_status fmb_triangle_finish(fmb_triangle *t, fmb_mem *mem, size_t steps, const int *step_of);
 
 /* Room for one more step, with so many numbers. Errors: MEMORY, LIMIT. */
 fmb_status fmb_triangle_reserve(fmb_triangle *t, fmb_mem *mem, size_t numbers);
 /* The step that is being added has this number beside step q. */
-static inline void fmb_triangle_push(fmb_triangle *t, size_t q, double value)
-{
-    fmb_compressed_rows_push(&t->back, q, value);
-    t->link[t->links] = (fmb_link){t->last[q], (int)t->steps, value};
-    t->last[q] = (int)t->links++;
-}
+void fmb_triangle_push(fmb_triangle *t, size_t q, double value);
 /* And this pivot, with which it is complete. */
 void fmb_triangle_add(fmb_triangle *t, double pivot);
 static inline void fmb_triangle_drop(fmb_triangle *t, size_t k)
@@ -80,18 +77,11 @@ static inline void fmb_triangle_put(fmb_triangle *t, size_t k, double x)
 }
 void fmb_triangle_forward(fmb_triangle *t);
 void fmb_triangle_backward(fmb_triangle *t);
-/* A step that is marked, from word *w of the marks on, and is not marked any more: *x was there,
- * now it is 0. False: none is. */
-static inline bool fmb_triangle_take(fmb_triangle *t, size_t *w, size_t *k, double *x)
-{
-    while (t->marks[*w] == 0)
-        if (++*w > t->steps / 64)
-            return false;
-    *k = 64 * *w + (size_t)__builtin_ctzll(t->marks[*w]);
-    t->marks[*w] &= t->marks[*w] - 1;
-    *x = t->v[*k];
-    t->v[*k] = 0;
-    return true;
-}
+/* Numbers that are marked, by step, become list l. */
+void fmb_triangle_list(const fmb_triangle *t, fmb_compressed_rows *l);
+/* All of them become 0, and are added to another triangle, or to a vector: number k at place at[k].
+ */
+void fmb_triangle_move(fmb_triangle *t, const int *at, fmb_triangle *to);
+void fmb_triangle_hand_out(fmb_triangle *t, const int *at, fmb_indexed_vector *to);
 
 #endif

@@ -50,16 +50,14 @@ typedef struct fmb_updated_lu {
     int *singleton;             /* [n] by place: its column while it rests, -1 */
     int *singleton_of;          /* [n] by column: its place while that rests, -1 */
     double *reciprocal;         /* [n] by place: of the coefficient of a singleton */
-    bool *is_exchanged;         /* [n] by place */
-    int *exchanged;             /* [exchanges] these places */
     fmb_compressed_rows beside; /* by column of a singleton: place in the core, value, at first */
     fmb_triangle lower, upper;  /* M, V: `upper` by slots */
     int *slot_of_place, *slot_of_column, *slot_of_step; /* [n], -1: it rests; [n + exchanges] */
-    int *place, *column, *step;                         /* [n] by slot */
+    int *place_of_step, *column, *step;                 /* [n + exchanges]; [n] by slot */
     fmb_compressed_rows turn;                           /* T: slot, multiple */
     int *turned;                                        /* [turns] number s of each */
     fmb_compressed_rows written, left; /* by slot: m of the last solution, z or -V_j/w of it */
-    size_t exchanges, turns;
+    size_t turns;
     fmb_arena arena; /* of an elimination */
 } fmb_updated_lu;
 
@@ -108,7 +106,7 @@ fmb_status fmb_updated_lu_eliminate(fmb_updated_lu *u);
 static inline void fmb_updated_lu_take_slot(fmb_updated_lu *u, int place, int column, double pivot)
 {
     size_t k = u->core++;
-    u->place[k] = place;
+    u->place_of_step[k] = place;
     u->column[k] = column;
     u->slot_of_place[place] = u->slot_of_column[column] = u->slot_of_step[k] = u->step[k] = (int)k;
     u->upper.pivot[k] = pivot;

@@ -10,8 +10,7 @@ static fmb_status hold_arrays_of_lu(fmb_updated_lu *u, bool get)
     const size_t n = u->n, steps = n + FMB_MOST_EXCHANGES;
     return FMB_ARRAYS(u->f->run->mem, get, FMB_ARRAY(u->member, n), FMB_ARRAY(u->singleton, n),
                       FMB_ARRAY(u->singleton_of, n), FMB_ARRAY(u->reciprocal, n),
-                      FMB_ARRAY(u->is_exchanged, n), FMB_ARRAY(u->exchanged, FMB_MOST_EXCHANGES),
-                      FMB_ARRAY(u->turned, FMB_MOST_EXCHANGES), FMB_ARRAY(u->place, n),
+                      FMB_ARRAY(u->turned, FMB_MOST_EXCHANGES), FMB_ARRAY(u->place_of_step, steps),
                       FMB_ARRAY(u->column, n), FMB_ARRAY(u->step, n),
                       FMB_ARRAY(u->slot_of_place, n), FMB_ARRAY(u->slot_of_column, n),
                       FMB_ARRAY(u->slot_of_step, steps));
@@ -63,36 +62,41 @@ static void set_singletons_aside(fmb_updated_lu *u)
     }
 }
 
-/* What the core has in columns of singletons. */
+/* Each number that the core has in a column of a singleton: counted, or put before the others. */
+static void look_beside(fmb_updated_lu *u, bool put)
+{
+    fmb_compressed_rows *b = &u->beside;
+    for (size_t r = u->n; r-- > 0;) {
+        int one;
+        fmb_terms t = fmb_member_terms(u->f, u->member[r], &one);
+        for (size_t k = 0; u->singleton[r] < 0 && k < t.size; k++) {
+            size_t *at = &b->start[t.column[k]];
+            if (u->singleton_of[t.column[k]] < 0)
+                continue;
+            *at = put ? *at - 1 : *at + 1;
+            if (put) {
+                b->index[*at] = (int)r;
+                b->value[*at] = t.value[k];
+            }
+        }
+    }
+}
+
 static fmb_status list_beside(fmb_updated_lu *u)
 {
     fmb_compressed_rows *b = &u->beside;
-    int one;
-    memset(b->start, 0, (u->n + 1) * sizeof *b->start);
-    for (size_t r = 0; r < u->n; r++) {
-        fmb_terms t = fmb_member_terms(u->f, u->member[r], &one);
-        for (size_t k = 0; u->singleton[r] < 0 && k < t.size; k++)
-            b->start[t.column[k]] += u->singleton_of[t.column[k]] >= 0;
-    }
     size_t sum = 0;
+    memset(b->start, 0, (u->n + 1) * sizeof *b->start);
+    look_beside(u, false);
     for (size_t j = 0; j <= u->n; j++) {
         sum += b->start[j];
         b->start[j] = sum;
     }
     b->size = 0;
-    fmb_status st = fmb_compressed_rows_reserve(b, u->f->run->mem, sum);
-    b->size = st == FMB_OK ? sum : 0;
-    for (size_t r = u->n; st == FMB_OK && r-- > 0;) {
-        fmb_terms t = fmb_member_terms(u->f, u->member[r], &one);
-        for (size_t k = 0; u->singleton[r] < 0 && k < t.size; k++) {
-            if (u->singleton_of[t.column[k]] < 0)
-                continue;
-            size_t at = --b->start[t.column[k]];
-            b->index[at] = (int)r;
-            b->value[at] = t.value[k];
-        }
-    }
-    return st;
+    FMB_TRY(fmb_compressed_rows_reserve(b, u->f->run->mem, sum));
+    b->size = sum;
+    look_beside(u, true);
+    return FMB_OK;
 }
 
 /* ---- factoring ------------------------------------------------------------------------------- */
@@ -120,20 +124,11 @@ static void fill_up_with_units(fmb_updated_lu *u)
     }
 }
 
-/* Places or columns become steps. */
-static fmb_status finish_triangle(const fmb_updated_lu *u, fmb_triangle *t, const int *slot_of)
-{
-    for (size_t k = 0; k < t->ahead.size; k++)
-        t->ahead.index[k] = slot_of[t->ahead.index[k]];
-    return fmb_triangle_finish(t, u->f->run->mem, u->core);
-}
-
 fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member)
 {
-    u->core = u->exchanges = u->turns = 0;
+    u->core = u->turns = 0;
     u->lower.ahead.size = u->upper.ahead.size = u->turn.size = 0;
     u->lower.ahead.start[0] = u->upper.ahead.start[0] = u->turn.start[0] = 0;
-    memset(u->is_exchanged, 0, u->n * sizeof *u->is_exchanged);
     memset(u->slot_of_place, -1, u->n * sizeof *u->slot_of_place);
     memset(u->slot_of_column, -1, u->n * sizeof *u->slot_of_column);
     memcpy(u->member, member, u->n * sizeof *member);
@@ -142,8 +137,8 @@ fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member)
     FMB_TRY(fmb_updated_lu_eliminate(u));
     fill_up_with_units(u);
     memcpy(member, u->member, u->n * sizeof *member);
-    fmb_status st = finish_triangle(u, &u->lower, u->slot_of_place);
-    return st == FMB_OK ? finish_triangle(u, &u->upper, u->slot_of_column) : st;
+    FMB_TRY(fmb_triangle_finish(&u->lower, u->f->run->mem, u->core, u->slot_of_place));
+    return fmb_triangle_finish(&u->upper, u->f->run->mem, u->core, u->slot_of_column);
 }
 
 /* ---- exchanges ------------------------------------------------------------------------------- */
@@ -157,24 +152,18 @@ static size_t wake_place(fmb_updated_lu *u, size_t p)
     for (size_t t = 0; t < u->left.size; t++)
         fmb_triangle_push(&u->upper, (size_t)u->left.index[t], -w * u->left.value[t]);
     fmb_triangle_add(&u->upper, w);
-    u->place[s] = (int)p;
     u->column[s] = j;
     u->slot_of_place[p] = u->slot_of_column[j] = (int)s;
     u->singleton[p] = u->singleton_of[j] = -1;
     return s;
 }
 
-/* Other numbers of z, for number s of it. */
-static void keep_turn(fmb_updated_lu *u, size_t s)
+/* Other numbers of z, for number s of it, which is one over the pivot. */
+static void keep_turn(fmb_updated_lu *u, size_t s, double pivot)
 {
-    double own = 0;
-    for (size_t t = 0; t < u->left.size; t++)
-        own = u->left.index[t] == (int)s ? u->left.value[t] : own;
     for (size_t t = 0; t < u->left.size; t++)
         if (u->left.index[t] != (int)s)
-            fmb_compressed_rows_push(&u->turn, (size_t)u->left.index[t], u->left.value[t] / own);
-    if (u->turn.size == u->turn.start[u->turns])
-        return;
+            fmb_compressed_rows_push(&u->turn, (size_t)u->left.index[t], u->left.value[t] * pivot);
     u->turned[u->turns++] = (int)s;
     u->turn.start[u->turns] = u->turn.size;
 }
@@ -195,19 +184,18 @@ fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member, 
         s = wake_place(u, place);
     } else {
         s = (size_t)u->slot_of_place[place];
-        entry *= u->lower.pivot[u->step[s]];
+        double pivot = u->lower.pivot[u->step[s]];
+        keep_turn(u, s, pivot);
+        entry *= pivot;
         fmb_triangle_drop(&u->lower, (size_t)u->step[s]);
-        keep_turn(u, s);
     }
     for (size_t t = 0; t < u->written.size; t++)
         if (u->written.index[t] != (int)s)
             fmb_triangle_push(&u->lower, (size_t)u->step[u->written.index[t]], u->written.value[t]);
     u->step[s] = (int)u->lower.steps;
     u->slot_of_step[u->lower.steps] = (int)s;
+    u->place_of_step[u->lower.steps] = (int)place;
     fmb_triangle_add(&u->lower, entry);
-    if (!u->is_exchanged[place])
-        u->exchanged[u->exchanges++] = (int)place;
-    u->is_exchanged[place] = true;
     u->member[place] = member;
     return FMB_OK;
 }
@@ -232,18 +220,21 @@ static double member_times(const fmb_scaled_program *f, size_t i, const double *
     return sum;
 }
 
-static void put_at_place(fmb_updated_lu *u, size_t r, double value)
+/* The step of a place in the core. */
+static inline size_t step_of_place(const fmb_updated_lu *u, size_t r)
 {
-    fmb_triangle_put(&u->lower, (size_t)u->step[u->slot_of_place[r]], value);
+    return (size_t)u->step[u->slot_of_place[r]];
 }
 
 /* x_j at the column of a place that rests, for members of the core that have not been exchanged. */
 static void solve_singleton(fmb_updated_lu *u, size_t j, double value, fmb_indexed_vector *x)
 {
     fmb_indexed_vector_add(x, j, value);
-    for (size_t t = u->beside.start[j]; t < u->beside.start[j + 1]; t++)
-        if (!u->is_exchanged[u->beside.index[t]])
-            put_at_place(u, (size_t)u->beside.index[t], -value * u->beside.value[t]);
+    for (size_t t = u->beside.start[j]; t < u->beside.start[j + 1]; t++) {
+        size_t k = step_of_place(u, (size_t)u->beside.index[t]);
+        if (k < u->core)
+            fmb_triangle_put(&u->lower, k, -value * u->beside.value[t]);
+    }
 }
 
 /* Columns of places that rest; what is left of b is that of the core. */
@@ -258,27 +249,14 @@ static void load_right_side(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexe
         if (u->singleton[r] >= 0)
             solve_singleton(u, (size_t)u->singleton[r], value * u->reciprocal[r], x);
         else
-            put_at_place(u, r, value);
+            fmb_triangle_put(&u->lower, step_of_place(u, r), value);
     }
     b->count = 0;
-    for (size_t k = 0; x->count > 0 && k < u->exchanges; k++) {
-        size_t r = (size_t)u->exchanged[k];
-        double value = member_times(u->f, u->member[r], x->at);
+    for (size_t k = u->core; x->count > 0 && k < u->lower.steps; k++) {
+        double value = member_times(u->f, u->member[u->place_of_step[k]], x->at);
         if (value != 0)
-            put_at_place(u, r, -value);
+            fmb_triangle_put(&u->lower, k, -value);
     }
-}
-
-/* What is in `upper` by now. */
-static void keep_numbers(const fmb_updated_lu *u, fmb_compressed_rows *l)
-{
-    l->size = 0;
-    for (size_t w = 0; w <= u->upper.steps / 64; w++)
-        for (uint64_t left = u->upper.marks[w]; left != 0; left &= left - 1) {
-            size_t k = 64 * w + (size_t)__builtin_ctzll(left);
-            if (fabs(u->upper.v[k]) > FMB_NOTHING)
-                fmb_compressed_rows_push(l, k, u->upper.v[k]);
-        }
 }
 
 /* T_1^-1 ... T_k^-1 times `upper`. */
@@ -305,24 +283,18 @@ static void turn_across(fmb_updated_lu *u)
 
 void fmb_updated_lu_solve(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexed_vector *x)
 {
-    size_t k, w = 0;
-    double value;
     bool wakes = b->count == 1 && u->singleton[b->index[0]] >= 0;
     fmb_indexed_vector_clear(x, false);
     load_right_side(u, b, x);
     fmb_triangle_forward(&u->lower);
-    while (fmb_triangle_take(&u->lower, &w, &k, &value))
-        if (fabs(value) > FMB_NOTHING)
-            fmb_triangle_put(&u->upper, (size_t)u->slot_of_step[k], value);
+    fmb_triangle_move(&u->lower, u->slot_of_step, &u->upper);
     if (!wakes)
-        keep_numbers(u, &u->left);
+        fmb_triangle_list(&u->upper, &u->left);
     turn_back(u);
     if (wakes)
-        keep_numbers(u, &u->left);
+        fmb_triangle_list(&u->upper, &u->left);
     fmb_triangle_backward(&u->upper);
-    for (w = 0; fmb_triangle_take(&u->upper, &w, &k, &value);)
-        if (fabs(value) > FMB_NOTHING)
-            fmb_indexed_vector_add(x, (size_t)u->column[k], value);
+    fmb_triangle_hand_out(&u->upper, u->column, x);
 }
 
 /* What c has in columns of places that rest becomes that of those. */
@@ -331,9 +303,9 @@ static void load_cost(fmb_updated_lu *u, fmb_indexed_vector *c, fmb_indexed_vect
     for (size_t t = 0; t < c->count; t++) {
         size_t j = (size_t)c->index[t];
         int r = u->singleton_of[j];
-        if (c->at[j] != 0 && r >= 0)
+        if (r >= 0)
             fmb_indexed_vector_add(y, (size_t)r, c->at[j] * u->reciprocal[r]);
-        else if (c->at[j] != 0)
+        else
             fmb_triangle_put(&u->upper, (size_t)u->slot_of_column[j], c->at[j]);
         c->at[j] = 0;
     }
@@ -383,19 +355,13 @@ static void price_places_at_rest(fmb_updated_lu *u, fmb_indexed_vector *y)
 void fmb_updated_lu_solve_transposed(fmb_updated_lu *u, fmb_indexed_vector *c,
                                      fmb_indexed_vector *y)
 {
-    size_t k, w = 0;
-    double value;
     fmb_indexed_vector_clear(y, false);
     load_cost(u, c, y);
     fmb_triangle_forward(&u->upper);
     turn_across(u);
-    keep_numbers(u, &u->written);
-    while (fmb_triangle_take(&u->upper, &w, &k, &value))
-        if (fabs(value) > FMB_NOTHING)
-            fmb_triangle_put(&u->lower, (size_t)u->step[k], value);
+    fmb_triangle_list(&u->upper, &u->written);
+    fmb_triangle_move(&u->upper, u->step, &u->lower);
     fmb_triangle_backward(&u->lower);
-    for (w = 0; fmb_triangle_take(&u->lower, &w, &k, &value);)
-        if (fabs(value) > FMB_NOTHING)
-            fmb_indexed_vector_add(y, (size_t)u->place[u->slot_of_step[k]], value);
+    fmb_triangle_hand_out(&u->lower, u->place_of_step, y);
     price_places_at_rest(u, y);
 }

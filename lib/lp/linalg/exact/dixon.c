@@ -29,7 +29,6 @@ fmb_status fmb_dixon_init(fmb_dixon *l, fmb_arena *arena, const fmb_prime *q, co
     memset(all, true, n * sizeof *all);
     l->first_steps = fmb_sweep_reach(first, all, l->first_step);
     l->second_steps = fmb_sweep_reach(second, all, l->second_step);
-    mpz_init(l->scratch);
     return FMB_OK;
 }
 
@@ -46,7 +45,6 @@ void fmb_dixon_clear(fmb_dixon *l)
     forget_rests(l);
     fmb_mem_put(l->mem, l->rest, l->rest_room, sizeof *l->rest);
     fmb_mem_put(l->mem, l->digit, l->digit_room, sizeof *l->digit);
-    mpz_clear(l->scratch);
     l->mem = NULL;
 }
 

@@ -34,7 +34,6 @@ typedef struct fmb_dixon {
     size_t digits, digit_room;
     fmb_dixon_rest *rest; /* [rests] right sides longer than a word */
     size_t rests, rest_room;
-    mpz_t scratch;
 } fmb_dixon;
 
 /* B and its factors in the order of their sweeps stay where they are. Errors: MEMORY, LIMIT. */

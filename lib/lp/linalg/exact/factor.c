@@ -259,10 +259,8 @@ static bool is_solution(fmb_factor *f, const asked *s)
         mpz_mul(f->a, f->d, s->right[s->right_at[k]]);
         for (size_t t = b->start[k]; t < b->start[k + 1]; t++) {
             mpz_srcptr x = s->x[s->at[b->index[t]]];
-            if (b->big && b->big[t])
-                mpz_submul(f->a, b->big[t], x);
-            else
-                fmb_integer_add_product_i64(f->a, x, -b->value[t]);
+            fmb_integer_set_i64(f->y, b->value[t]);
+            mpz_submul(f->a, b->big && b->big[t] ? b->big[t] : f->y, x);
         }
         holds = mpz_sgn(f->a) == 0 && fmb_run_poll_long(f->run, f->a) == FMB_OK;
     }
