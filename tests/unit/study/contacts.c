@@ -153,13 +153,18 @@ typedef struct plain {
     mpq_t corner[2][MOST_CORNERS][4], way[MOST_WAYS][4], drift[4], n[4], s, t, most, least;
 } plain;
 
+static void for_each_of(size_t n, mpq_t (*vector)[4], void (*what)(mpq_ptr))
+{
+    for (size_t i = 0; i < n; i++)
+        for (int j = 0; j < 4; j++)
+            what(vector[i][j]);
+}
+
 static void for_all(plain *p, void (*what)(mpq_ptr))
 {
-    mpq_ptr x = p->corner[0][0][0];
-    for (size_t i = 0; i < 2 * MOST_CORNERS * 4; i++)
-        what(x + i);
-    for (size_t i = 0; i < MOST_WAYS * 4; i++)
-        what(p->way[0][0] + i);
+    for_each_of(MOST_CORNERS, p->corner[0], what);
+    for_each_of(MOST_CORNERS, p->corner[1], what);
+    for_each_of(MOST_WAYS, p->way, what);
     for (int j = 0; j < 4; j++) {
         what(p->drift[j]);
         what(p->n[j]);
