@@ -144,13 +144,21 @@ static fmb_status try_elimination(part_run *r, bool known)
     return st;
 }
 
+/* A search for a recession direction may take a share of what the best engine is expected to take:
+ * one of so many. */
+#define SHARE_FOR_RECESSION 16
+
 /* Nothing that names variables that go may be left of the projection. */
-static fmb_status try_recession(part_run *r)
+static fmb_status try_recession(part_run *r, const fmb_choice *c)
 {
+    double best = INFINITY;
+    for (size_t k = 0; k < FMB_ENGINES; k++)
+        best = fmin(best, c->work[k]);
     part_elimination h = elimination_of_run(r);
     bool recedes;
     fmb_elim *e = &r->reduced.e;
-    fmb_status st = fmb_recession_drop_rows(e, r->reduced.drop, &r->q->v->arena, &recedes);
+    fmb_status st = fmb_recession_drop_rows(e, r->reduced.drop, best / SHARE_FOR_RECESSION,
+                                            &r->q->v->arena, &recedes);
     if (st == FMB_OK && recedes)
         st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
     tell_attempt(r, "recession direction", 0, st);
@@ -292,7 +300,7 @@ static fmb_status take_first_steps(part_run *r, const fmb_choice *c)
 {
     fmb_status st = FMB_OK;
     if (c->recession && fmb_way(FMB_WAY_RECESSION)) {
-        st = try_recession(r);
+        st = try_recession(r, c);
         fmb_way_answered(FMB_WAY_RECESSION, st == FMB_OK && is_answered(r));
     }
     if (is_open(st, r) && c->bounded > 0 && fmb_way(FMB_WAY_BOUNDED_GROWTH)) {

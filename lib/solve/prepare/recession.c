@@ -8,7 +8,8 @@
  * long to find out that there is nothing to find.
  *
  * The direction is a point strictly inside the rows with right sides 0
- * (lp/redundancy/active_set/interior_point.h): a glance in doubles, proved in integers. Of long
+ * (lp/redundancy/active_set/interior_point.h): a glance in doubles, or where that tells nothing and
+ * the engines are expected to take long, a search; proved in integers. Of long
  * numbers the leading bits are enough: let b be a / 2^k, rounded towards 0, then each entry of
  * a / 2^k - b is less than 1, and b.z + |z_1| + ... <= 0 proves a.z < 0 where z is not 0. In small
  * systems it may be seen at once, in integers alone: first columns of one sign go, with all rows
@@ -107,13 +108,15 @@ static fmb_status list_rows_of_cone(cone *c, fmb_arena *arena, bool *possible)
     return FMB_OK;
 }
 
-static fmb_status look_for_direction(const cone *c, bool *found)
+static fmb_status look_for_direction(const cone *c, double patience, bool *found)
 {
     fmb_interior_point p;
     bool possible;
     fmb_status st = fmb_interior_point_open(&p, c->e->run, c->n, c->m, c->row, &possible);
     if (st == FMB_OK && possible)
         st = fmb_interior_point_find_quickly(&p, found);
+    if (st == FMB_OK && possible && !*found && fmb_interior_point_most_work(&p) <= patience)
+        st = fmb_interior_point_find(&p, found);
     for (size_t i = 0; *found && c->rough && i < c->m; i++)
         *found = fmb_interior_point_sees_near_rows(&p, i);
     fmb_interior_point_clear(&p);
@@ -129,7 +132,8 @@ static void leave_rows_behind(cone *c)
     c->e->live.size = left;
 }
 
-fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *recedes)
+fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, double patience, fmb_arena *arena,
+                                   bool *recedes)
 {
     cone c = {.e = e};
     bool possible = false;
@@ -137,7 +141,7 @@ fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, fmb_arena *are
     fmb_status st = list_columns_of_cone(&c, drop, arena);
     FMB_THEN(st, list_rows_of_cone(&c, arena, &possible));
     if (st == FMB_OK && possible)
-        st = look_for_direction(&c, recedes);
+        st = look_for_direction(&c, patience, recedes);
     if (st == FMB_OK && *recedes)
         leave_rows_behind(&c);
     return st;

@@ -1,6 +1,7 @@
 /* recession.c: projections where the variables that go can go on for ever, against elimination. */
 #include <criterion/criterion.h>
 #include <math.h>
+#include <string.h>
 
 #include "property/random/agree.h"
 #include "support.h"
@@ -107,4 +108,65 @@ Test(escape, as_elimination_says)
     cr_expect(sum.escaped > 100 && sum.far > 30 && sum.others > 50 && sum.empty > 10,
               "%d, %d, %d, %d", sum.escaped, sum.far, sum.others, sum.empty);
     cr_expect_leq(sum.unjudged, 20, "%d unjudged", sum.unjudged);
+}
+
+/* ---- a search -------------------------------------------------------------------------------- */
+
+/* Variables, those that stay, rows: a direction is there about as often as not. */
+enum { MANY = 29, FEW = 4, ROWS = 45 };
+
+typedef struct watched_direction {
+    fmb_solver *v;
+    bool found;
+} watched_direction;
+
+/* Without a direction nobody waits for the engines. */
+static void watch_direction(void *self, const fmb_event *e)
+{
+    watched_direction *w = self;
+    if (e->kind != FMB_EVENT_ENGINE || strcmp(e->attempt->engine, "recession direction") != 0)
+        return;
+    w->found = strcmp(e->attempt->ended, "answered") == 0;
+    if (!w->found)
+        fmb_solver_cancel(w->v);
+}
+
+static fmb_system *rows_of_a_narrow_cone(uint64_t seed)
+{
+    support_rng g = {seed};
+    fmb_system *s = rows_none(MANY);
+    for (int i = 0; i < ROWS; i++) {
+        double a[MANY];
+        for (int j = 0; j < MANY; j++)
+            a[j] = support_between(&g, -9, 9);
+        must(fmb_system_add(s, a, FMB_LE, support_between(&g, 0, 49)));
+    }
+    return s;
+}
+
+/* Is the projection everything because a direction was found? */
+static bool is_direction_found(uint64_t seed)
+{
+    const int kept[FEW] = {0, 1, 2, 3};
+    fmb_system *p = NULL, *s = rows_of_a_narrow_cone(seed);
+    watched_direction w = {.v = must_open((fmb_options){.evidence = FMB_EVIDENCE_WHOLE})};
+    fmb_solver_set_sink(w.v, (fmb_sink){watch_direction, &w});
+    must(fmb_project(w.v, s, kept, FEW, &p, NULL));
+    if (w.found) {
+        cr_expect_eq(fmb_system_rows(p), 0, "seed %lu", (unsigned long)seed);
+        check_evidence(w.v, s, seed);
+    }
+    fmb_system_free(p);
+    fmb_system_free(s);
+    fmb_solver_free(w.v);
+    return w.found;
+}
+
+/* A glance finds a direction in 19 of these, a search in 31. */
+Test(escape, where_a_glance_is_not_enough)
+{
+    int found = 0;
+    for (uint64_t seed = 1; seed <= 40; seed++)
+        found += is_direction_found(seed);
+    cr_expect_gt(found, 25, "%d", found);
 }

@@ -149,12 +149,28 @@ fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found)
     return !*found ? try_slack(p, 8 + 2 * p->n, 1.0 / 64, found) : FMB_OK;
 }
 
+/* Margins: 1/4 and each a sixteenth of the one before. */
+enum { MARGINS = 3 };
+
+static size_t steps_of_search(const fmb_interior_point *p)
+{
+    return 50 + 16 * p->n;
+}
+
 fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found)
 {
+    double margin = 0.25;
     *found = false;
-    for (double margin = 0.25; !*found && margin > 1.0 / UNIT; margin /= 16)
-        FMB_TRY(try_slack(p, 50 + 16 * p->n, margin, found));
+    for (int k = 0; !*found && k < MARGINS; k++, margin /= 16)
+        FMB_TRY(try_slack(p, steps_of_search(p), margin, found));
     return FMB_OK;
+}
+
+/* A reflection looks at each row once, and at its entries four at a time. */
+double fmb_interior_point_most_work(const fmb_interior_point *p)
+{
+    double entries = (double)p->n * (double)p->m;
+    return MARGINS * (double)steps_of_search(p) * (entries / 4 + (double)p->m + (double)p->n);
 }
 
 /* The slack of row a + d is the one of a, less UNIT d.x, where |d.x| < |x_1| + ... unless x is 0.

@@ -24,6 +24,8 @@ fmb_status fmb_interior_point_open(fmb_interior_point *p, fmb_run *run, size_t n
  * none was found. A glance costs little. Errors: LIMIT. */
 fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found);
 fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found);
+/* Work (trace/run.h) that a search takes which is no glance, at most. */
+double fmb_interior_point_most_work(const fmb_interior_point *p);
 /* Is the point found strictly inside every row whose coefficients differ by less than 1 each from
  * those of row i, and whose right side is that of row i? False: that is not certain. */
 bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, size_t i);
