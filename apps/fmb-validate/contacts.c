@@ -206,10 +206,11 @@ static bool has_shares(validate_contacts *b, const fmb_frame *f, const validate_
         scale_by_power(b->part, b->part, b->m.unit + b->m.finer[j]);
         for (int i = 0; i < dim; i++)
             mpz_mul(e->a[j][i], b->m.axis[k][i][j], mpq_denref(b->part));
-        mpz_mul_si(e->a[j][dim], mpq_numref(b->part), k == 0 ? 1 : -1);
+        mpz_mul_si(e->x[j], mpq_numref(b->part), k == 0 ? 1 : -1);
     }
-    if (!study_equations_solve(e, dim))
+    if (!study_equations_factor(e, dim))
         return false;
+    study_equations_solve(e);
     *good = true;
     mpz_set_ui(b->scale, 0);
     for (int i = 0; i < dim; i++) {

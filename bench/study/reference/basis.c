@@ -18,46 +18,75 @@ static void set_entry(mpz_t out, const study_proposer *w, const study_meeting *s
         mpz_set_ui(out, 0);
 }
 
+/* Factor the columns of the pivots, if that was not done; false if they are dependent. */
+static bool factor(study_proposer *w, const study_meeting *s)
+{
+    const fmb_general_system *g = &w->g->program;
+    bool same = true;
+    for (int k = 0; k < g->rows; k++)
+        same &= w->factored[k] == g->pivot[k];
+    for (int k = 0; !same && k < g->rows; k++) {
+        for (int i = 0; i < g->rows; i++)
+            set_entry(w->e.a[i][k], w, s, i, g->pivot[k]);
+        w->factored[k] = g->pivot[k];
+    }
+    if (!same && !study_equations_factor(&w->e, g->rows))
+        w->factored[0] = -1;
+    return w->factored[0] >= 0;
+}
+
+/* The largest power of 2 that a unit of an unknown is divided by, if any is between its ends. */
+static int bits_below_point(const study_proposer *w, const double *at)
+{
+    const fmb_general_system *g = &w->g->program;
+    int most = 0;
+    for (int j = 0; j < g->columns; j++)
+        if (!g->is_pivot[j] && at[j] != 0 && at[j] != 1 && BITS + w->column_bits[j] > most)
+            most = BITS + w->column_bits[j];
+    return most;
+}
+
 bool study_basis_solve_point(study_proposer *w, const study_meeting *s, const double *at)
 {
     const fmb_general_system *g = &w->g->program;
+    const int bits = bits_below_point(w, at);
     mpz_t *entry = &w->scale;
+    if (!factor(w, s))
+        return false;
     for (int j = 0; j < g->columns; j++) {
-        double whole = rint(ldexp(at[j], BITS));
-        if (!g->is_pivot[j])
-            mpz_set_d(w->z[j], isfinite(whole) ? whole : 0);
+        double whole = at[j] == 1 ? 1 : rint(ldexp(at[j], BITS));
+        if (g->is_pivot[j])
+            continue;
+        mpz_set_d(w->z[j], isfinite(whole) ? whole : 0);
+        if (whole != 0)
+            mpz_mul_2exp(w->z[j], w->z[j],
+                         (mp_bitcnt_t)(bits - (at[j] == 1 ? 0 : BITS + w->column_bits[j])));
     }
     for (int i = 0; i < g->rows; i++) {
-        mpz_t *right = &w->e.a[i][g->rows];
+        mpz_t *right = &w->e.x[i];
         mpz_set_ui(*right, 1);
-        mpz_mul_2exp(*right, i < s->dim ? s->h[i] : *right, BITS);
+        mpz_mul_2exp(*right, i < s->dim ? s->h[i] : *right, (mp_bitcnt_t)bits);
         for (int j = 0; j < g->columns; j++)
             if (!g->is_pivot[j] && mpz_sgn(w->z[j]) != 0) {
                 set_entry(*entry, w, s, i, j);
                 mpz_submul(*right, *entry, w->z[j]);
             }
-        for (int k = 0; k < g->rows; k++)
-            set_entry(w->e.a[i][k], w, s, i, g->pivot[k]);
     }
-    if (!study_equations_solve(&w->e, g->rows))
-        return false;
+    study_equations_solve(&w->e);
     for (int j = 0; j < g->columns; j++)
         if (!g->is_pivot[j])
             mpz_mul(w->z[j], w->z[j], w->e.divisor);
     for (int k = 0; k < g->rows; k++)
         mpz_set(w->z[g->pivot[k]], w->e.x[k]);
-    mpz_mul_2exp(w->scale, w->e.divisor, BITS);
+    mpz_mul_2exp(w->scale, w->e.divisor, (mp_bitcnt_t)bits);
     return true;
 }
 
 bool study_basis_solve_prices(study_proposer *w, const study_meeting *s)
 {
-    const fmb_general_system *g = &w->g->program;
-    for (int k = 0; k < g->rows; k++)
-        for (int i = 0; i < g->rows; i++)
-            set_entry(w->e.a[k][i], w, s, i, g->pivot[k]);
-    if (!study_equations_solve(&w->e, g->rows))
+    if (!factor(w, s))
         return false;
+    study_equations_solve_transposed(&w->e);
     for (int i = 0; i < s->dim; i++)
         mpz_set(w->y[i], w->e.x[i]);
     return true;
@@ -65,15 +94,18 @@ bool study_basis_solve_prices(study_proposer *w, const study_meeting *s)
 
 /* ---- steps in whole numbers ------------------------------------------------------------------ */
 
-/* out_j := x times column j of the program, x being what was solved for last. */
+/* out_j := x times column j of the program, of those that are no pivots, x being what was solved
+ * for last; 0 of pivots. */
 static void multiply_by_columns(study_proposer *w, const study_meeting *s, mpz_t *out)
 {
     const fmb_general_system *g = &w->g->program;
     for (int j = 0; j < g->columns; j++) {
         mpz_set_ui(out[j], 0);
-        for (int i = 0; i < g->rows; i++) {
-            set_entry(w->part, w, s, i, j);
-            mpz_addmul(out[j], w->part, w->e.x[i]);
+        for (int i = 0; !g->is_pivot[j] && i < g->rows; i++) {
+            if (i < s->dim && j < s->columns)
+                mpz_addmul(out[j], s->m[i][j], w->e.x[i]);
+            else if (i >= s->dim && g->m[j * g->rows + i] != 0)
+                mpz_add(out[j], out[j], w->e.x[i]);
         }
     }
 }
@@ -83,9 +115,9 @@ bool study_basis_solve_form(study_proposer *w, const study_meeting *s, const stu
     const fmb_general_system *g = &w->g->program;
     for (int k = 0; k < g->rows; k++)
         if (g->pivot[k] < s->columns)
-            mpz_set(w->e.a[k][g->rows], f->w[g->pivot[k]]);
+            mpz_set(w->e.x[k], f->w[g->pivot[k]]);
         else
-            mpz_set_ui(w->e.a[k][g->rows], 0);
+            mpz_set_ui(w->e.x[k], 0);
     return study_basis_solve_prices(w, s);
 }
 
@@ -98,7 +130,7 @@ void study_basis_find_gains(study_proposer *w, const study_meeting *s, const stu
             mpz_neg(w->gain[j], w->gain[j]);
         else
             mpz_set_ui(w->gain[j], 0);
-        if (f && j < s->columns)
+        if (f && j < s->columns && !w->g->program.is_pivot[j])
             mpz_addmul(w->gain[j], f->w[j], w->e.divisor);
     }
 }
@@ -150,7 +182,7 @@ bool study_basis_step_into_range(study_proposer *w, const study_meeting *s, int 
 {
     const fmb_general_system *g = &w->g->program;
     for (int k = 0; k < g->rows; k++)
-        mpz_set_ui(w->e.a[k][g->rows], k == place);
+        mpz_set_ui(w->e.x[k], k == place);
     if (!study_basis_solve_prices(w, s))
         return false;
     multiply_by_columns(w, s, w->entry);
@@ -175,12 +207,12 @@ static int find_gaining_column(const study_proposer *w)
 static bool solve_for_falls(study_proposer *w, const study_meeting *s, int column)
 {
     const fmb_general_system *g = &w->g->program;
-    for (int i = 0; i < g->rows; i++) {
-        for (int k = 0; k < g->rows; k++)
-            set_entry(w->e.a[i][k], w, s, i, g->pivot[k]);
-        set_entry(w->e.a[i][g->rows], w, s, i, column);
-    }
-    return study_equations_solve(&w->e, g->rows);
+    if (!factor(w, s))
+        return false;
+    for (int i = 0; i < g->rows; i++)
+        set_entry(w->e.x[i], w, s, i, column);
+    study_equations_solve(&w->e);
+    return true;
 }
 
 /* part := what the pivot in place k has left, in parts of scale, until it is at an end; *high: its

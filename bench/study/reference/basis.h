@@ -11,7 +11,6 @@
 enum {
     ROWS = STUDY_EQUATIONS_MOST,
     COLUMNS = STUDY_MEETING_MOST_COLUMNS + 2,
-    POINTS = 2 * COLUMNS,
     BITS = 62 /* of unknowns that are set, below the point */
 };
 
@@ -19,18 +18,22 @@ struct study_proposer {
     fmb_mem mem;
     fmb_general *g;
     study_equations e;
+    int factored[ROWS]; /* the pivots whose columns e has factored; the first may be -1: none */
+    /* where the last end of the pair was found */
+    bool has_end;
+    int end_pivot[ROWS];
+    double end_vertex[COLUMNS];
+    int group_bits[3], column_bits[COLUMNS], row_bits[STUDY_PAIR_MOST_DIM]; /* scales (propose.c) */
     mpz_t z[COLUMNS], y[ROWS], scale; /* a point z / scale; prices or a direction */
     mpz_t part;
     mpz_t entry[COLUMNS], gain[COLUMNS]; /* of a step: a row of the basis, what columns bring */
-    /* common points of the pair at hand, z and scale: where an end is */
-    mpz_t known[POINTS][COLUMNS + 1];
-    int points;
 };
 
-/* z / scale: the solution whose unknowns that are no pivots are near `at`, or 0 where that is no
- * number, or a very large one. */
+/* z / scale: the solution whose unknowns that are no pivots are near `at`, in units of their
+ * columns in doubles, or 0 where that is no number, or a very large one; where it is 1, at their
+ * high end. */
 bool study_basis_solve_point(study_proposer *w, const study_meeting *s, const double *at);
-/* y / divisor: prices of the rows that make each pivot worth w->e.a[its place][rows]. */
+/* y / divisor: prices of the rows that make each pivot worth w->e.x[its place]. */
 bool study_basis_solve_prices(study_proposer *w, const study_meeting *s);
 /* The same for that form. */
 bool study_basis_solve_form(study_proposer *w, const study_meeting *s, const study_form *f);

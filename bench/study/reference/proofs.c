@@ -77,7 +77,7 @@ static fmb_status prove(study_proofs *s, const fmb_frame *p, const fmb_frame *q,
     fmb_status st = FMB_OK;
     proved[0] = proved[1] = FMB_UNKNOWN;
     if (study_meeting_load(&s->meeting, p, q))
-        study_prove_verdicts(s->proposer, &s->meeting, p, q, proved);
+        study_prove_verdicts(s->proposer, &s->meeting, proved);
     for (int contact = 0; contact < 2 && st == FMB_OK; contact++)
         if (proved[contact] == FMB_UNKNOWN) {
             asked = true;

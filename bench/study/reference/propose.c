@@ -22,9 +22,6 @@ static void init_numbers(study_proposer *w)
         mpz_init(w->y[i]);
     for (int j = 0; j < COLUMNS; j++)
         mpz_inits(w->z[j], w->entry[j], w->gain[j], NULL);
-    for (int k = 0; k < POINTS; k++)
-        for (int j = 0; j <= COLUMNS; j++)
-            mpz_init(w->known[k][j]);
     mpz_inits(w->scale, w->part, NULL);
 }
 
@@ -51,26 +48,100 @@ void study_proposer_close(study_proposer *w)
         mpz_clear(w->y[i]);
     for (int j = 0; j < COLUMNS; j++)
         mpz_clears(w->z[j], w->entry[j], w->gain[j], NULL);
-    for (int k = 0; k < POINTS; k++)
-        for (int j = 0; j <= COLUMNS; j++)
-            mpz_clear(w->known[k][j]);
     mpz_clears(w->scale, w->part, NULL);
     fmb_general_free(w->g, &w->mem);
     free(w);
 }
 
-/* ---- directions ------------------------------------------------------------------------------ */
+/* ---- the pair in doubles -----------------------------------------------------------------------
+ */
 
-/* Bits of the largest number of row i of M, or of h where M has none: the rows in doubles are
- * scaled so that it is about 1. */
-static int bits_of_row(const study_meeting *s, int i)
+enum { NO_BITS = INT_MIN / 2 };
+
+static int bits(const mpz_t x)
 {
-    size_t most = 0;
-    for (int j = 0; j < s->columns; j++)
-        if (mpz_sgn(s->m[i][j]) != 0 && mpz_sizeinbase(s->m[i][j], 2) > most)
-            most = mpz_sizeinbase(s->m[i][j], 2);
-    return (int)(most > 0 ? most : mpz_sizeinbase(s->h[i], 2));
+    return mpz_sgn(x) == 0 ? NO_BITS : (int)mpz_sizeinbase(x, 2);
 }
+
+/* Frame A, frame B or time. */
+static int group_of(const study_meeting *s, int column)
+{
+    return (column >= s->from[1]) + (column >= s->from[2]);
+}
+
+/* Where one frame is far larger than both the other one and their distance, their common points are
+ * near its corner: it is made a thousand times as large as these, or doubles would see nothing of
+ * them. In the same way time. */
+static void find_group_bits(study_proposer *w, const study_meeting *s)
+{
+    enum { THOUSAND = 10 };
+    int size[3] = {NO_BITS, NO_BITS, NO_BITS}, near = NO_BITS;
+    for (int i = 0; i < s->dim; i++) {
+        int most = bits(s->h[i]);
+        for (int j = 0; j < s->columns; j++)
+            most = bits(s->m[i][j]) > most ? bits(s->m[i][j]) : most;
+        near = bits(s->h[i]) - most > near ? bits(s->h[i]) - most : near;
+        for (int j = 0; j < s->columns; j++) {
+            int *of = &size[group_of(s, j)], here = bits(s->m[i][j]) - most;
+            *of = here > *of ? here : *of;
+        }
+    }
+    int smaller = size[0] < size[1] ? size[0] : size[1];
+    near = smaller > near ? smaller : near;
+    for (int k = 0; k < 3; k++) {
+        int down = size[k] - near - THOUSAND;
+        w->group_bits[k] = near > NO_BITS / 2 && size[k] > NO_BITS / 2 && down > 0 ? down : 0;
+    }
+}
+
+/* Bits of the largest number of row i of M, or of h where M has none. */
+static int bits_of_row(const study_proposer *w, const study_meeting *s, int i)
+{
+    int most = NO_BITS;
+    for (int j = 0; j < s->columns; j++) {
+        int here = bits(s->m[i][j]) - w->group_bits[group_of(s, j)];
+        most = here > most ? here : most;
+    }
+    if (most < NO_BITS / 2)
+        most = bits(s->h[i]);
+    return most < NO_BITS / 2 ? 0 : most;
+}
+
+/* x 2^-down */
+static double in_doubles(const mpz_t x, int down)
+{
+    long exponent;
+    double part = mpz_get_d_2exp(&exponent, x);
+    return part == 0 ? 0 : ldexp(part, (int)exponent - down);
+}
+
+/* Rows are scaled so that their largest number is about 1. False: a distance is beyond doubles. */
+static bool load_in_doubles(study_proposer *w, const study_meeting *s)
+{
+    fmb_general_system *pair = &w->g->pair;
+    bool good = true;
+    w->factored[0] = -1;
+    find_group_bits(w, s);
+    pair->rows = s->dim;
+    pair->columns = s->columns;
+    for (int j = 0; j < s->columns; j++) {
+        int group = group_of(s, j);
+        pair->kind[j] = group == 2 || s->shape[group] == FMB_CUBOID ? FMB_GENERAL_UNIT
+                        : group == 0                                ? FMB_GENERAL_OF_A
+                                                                    : FMB_GENERAL_OF_B;
+        w->column_bits[j] = w->group_bits[group];
+    }
+    for (int i = 0; i < s->dim; i++) {
+        w->row_bits[i] = bits_of_row(w, s, i);
+        pair->h[i] = in_doubles(s->h[i], w->row_bits[i]);
+        good &= (bool)isfinite(pair->h[i]);
+        for (int j = 0; j < s->columns; j++)
+            pair->m[j * s->dim + i] = in_doubles(s->m[i][j], w->row_bits[i] + w->column_bits[j]);
+    }
+    return good;
+}
+
+/* ---- directions ------------------------------------------------------------------------------ */
 
 /* y := a direction in doubles, of rows scaled so, times a power of 2. */
 static void set_direction(study_proposer *w, const study_meeting *s, const double *direction)
@@ -80,7 +151,7 @@ static void set_direction(study_proposer *w, const study_meeting *s, const doubl
     for (int i = 0; i < s->dim; i++) {
         exponent[i] = 0;
         part[i] = isfinite(direction[i]) ? frexp(direction[i], &exponent[i]) : 0;
-        exponent[i] -= bits_of_row(s, i);
+        exponent[i] -= w->row_bits[i];
         if (part[i] != 0 && exponent[i] < least)
             least = exponent[i];
     }
@@ -115,7 +186,7 @@ static bool prove_by_edge(study_proposer *w, study_meeting *s, int pivot, fmb_ve
 {
     const int rows = w->g->program.rows;
     for (int k = 0; k < rows; k++)
-        mpz_set_ui(w->e.a[k][rows], k == pivot);
+        mpz_set_ui(w->e.x[k], k == pivot);
     return study_basis_solve_prices(w, s) && prove_by_direction(w, s, verdict);
 }
 
@@ -240,12 +311,11 @@ static void prove_open(study_proposer *w, study_meeting *s, fmb_verdict verdict[
         verdict[FMB_CONTACT_OPEN] = FMB_FEASIBLE;
 }
 
-void study_prove_verdicts(study_proposer *w, study_meeting *s, const fmb_frame *p,
-                          const fmb_frame *q, fmb_verdict verdict[2])
+void study_prove_verdicts(study_proposer *w, study_meeting *s, fmb_verdict verdict[2])
 {
     fmb_general *g = w->g;
     verdict[FMB_CONTACT_CLOSED] = verdict[FMB_CONTACT_OPEN] = FMB_UNKNOWN;
-    if (!fmb_general_load(g, p, q))
+    if (!load_in_doubles(w, s))
         return;
     fmb_general_step step = fmb_general_find_vertex(g);
     if (step == FMB_GENERAL_CLASH)
@@ -270,6 +340,7 @@ static void set_cost(const study_proposer *w, const study_meeting *s, const stud
     long most = LONG_MIN, exponent[COLUMNS];
     for (int j = 0; j < s->columns; j++) {
         cost[j] = mpz_get_d_2exp(&exponent[j], f->w[j]);
+        exponent[j] -= w->column_bits[j];
         if (cost[j] != 0 && exponent[j] > most)
             most = exponent[j];
     }
@@ -277,20 +348,10 @@ static void set_cost(const study_proposer *w, const study_meeting *s, const stud
         cost[j] = j < s->columns && cost[j] != 0 ? ldexp(cost[j], (int)(exponent[j] - most)) : 0;
 }
 
-/* The point at hand, if it is a common one and there is room. */
-static void keep_point(study_proposer *w, study_meeting *s)
+bool study_start_ends(study_proposer *w, const study_meeting *s)
 {
-    if (w->points == POINTS || !study_meeting_has_point(s, FMB_CONTACT_CLOSED, w->z, w->scale))
-        return;
-    for (int j = 0; j < s->columns; j++)
-        mpz_set(w->known[w->points][j], w->z[j]);
-    mpz_set(w->known[w->points++][COLUMNS], w->scale);
-}
-
-bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q)
-{
-    w->points = 0;
-    return fmb_general_load(w->g, p, q) && fmb_general_find_vertex(w->g) != FMB_GENERAL_LOST;
+    w->has_end = false;
+    return load_in_doubles(w, s) && fmb_general_find_vertex(w->g) != FMB_GENERAL_LOST;
 }
 
 /* Steps from the basis that doubles name, until its point is common and nothing gains; prices are
@@ -302,8 +363,6 @@ static bool walk_to_end(study_proposer *w, study_meeting *s, const study_form *f
         if (!study_basis_solve_point(w, s, w->g->vertex))
             return false;
         int place = study_basis_place_outside(w, &high);
-        if (place < 0)
-            keep_point(w, s);
         if (!study_basis_solve_form(w, s, f))
             return false;
         study_basis_find_gains(w, s, f);
@@ -314,16 +373,40 @@ static bool walk_to_end(study_proposer *w, study_meeting *s, const study_form *f
     return false;
 }
 
+static void keep_end(study_proposer *w)
+{
+    const fmb_general_system *g = &w->g->program;
+    w->has_end = true;
+    for (int k = 0; k < g->rows; k++)
+        w->end_pivot[k] = g->pivot[k];
+    for (int j = 0; j < g->columns; j++)
+        w->end_vertex[j] = w->g->vertex[j] == 1;
+}
+
+/* Back to the last end; false if there is none. */
+static bool return_to_end(study_proposer *w)
+{
+    fmb_general_system *g = &w->g->program;
+    for (int j = 0; w->has_end && j < g->columns; j++) {
+        g->is_pivot[j] = false;
+        w->g->vertex[j] = w->end_vertex[j];
+    }
+    for (int k = 0; w->has_end && k < g->rows; k++) {
+        g->pivot[k] = w->end_pivot[k];
+        g->is_pivot[g->pivot[k]] = true;
+    }
+    return w->has_end;
+}
+
+/* Where the basis that doubles name is none, or leads nowhere, the last end is one to start from.
+ */
 bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, double end)
 {
     double cost[COLUMNS], y[ROWS];
-    bool proved = false;
     set_cost(w, s, f, cost);
     (void)fmb_general_maximize(w->g, cost, y);
-    if (!walk_to_end(w, s, f))
+    if (!walk_to_end(w, s, f) && !(return_to_end(w) && walk_to_end(w, s, f)))
         return false;
-    for (int k = w->points; !proved && k-- > 0;)
-        proved =
-            study_meeting_has_end(s, f, w->known[k], w->known[k][COLUMNS], w->y, w->e.divisor, end);
-    return proved;
+    keep_end(w);
+    return study_meeting_has_end(s, f, w->z, w->scale, w->y, w->e.divisor, end);
 }

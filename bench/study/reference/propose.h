@@ -14,15 +14,12 @@ typedef struct study_proposer study_proposer;
 study_proposer *study_proposer_open(int dim);
 void study_proposer_close(study_proposer *w);
 
-/* What can be shown of the pair of s, which was loaded from p and q: verdicts[contact], UNKNOWN
- * without a proof. */
-void study_prove_verdicts(study_proposer *w, study_meeting *s, const fmb_frame *p,
-                          const fmb_frame *q, fmb_verdict verdict[2]);
+/* What can be shown of the pair of s: verdicts[contact], UNKNOWN without a proof. */
+void study_prove_verdicts(study_proposer *w, study_meeting *s, fmb_verdict verdict[2]);
 
 /* Begin with the ends of a pair that meets; false if nothing will be shown. */
-bool study_start_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q);
-/* Is `end` proved to be the end of the form (certificate.h)? With all points that were found by
- * then: another try may find what is needed. */
+bool study_start_ends(study_proposer *w, const study_meeting *s);
+/* Is `end` proved to be the end of the form (certificate.h)? */
 bool study_prove_end(study_proposer *w, study_meeting *s, const study_form *f, double end);
 
 #endif

@@ -22,7 +22,7 @@ struct study_box_bench {
     int dim;
     atomic_bool stopped;
     fmb_pair *way[WAYS];
-    answers said[WAYS];
+    answers said[2][WAYS];                      /* by order */
     fmb_solver *solver;                         /* of witnesses */
     study_proposer *proposer, *double_proposer; /* the second in twice as many dimensions */
     study_witness_pair near;
@@ -32,20 +32,31 @@ struct study_box_bench {
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
+static fmb_status open_answers(answers *a, size_t n, size_t dim)
+{
+    *a = (answers){calloc(n, sizeof(fmb_verdict)), calloc(2 * n * dim, sizeof(double)),
+                   calloc(2 * n * dim, sizeof(double)), calloc(2 * n, sizeof(double)),
+                   calloc(n * dim, sizeof(double))};
+    return a->verdict && a->world && a->inside && a->time && a->witness ? FMB_OK : FMB_ERR_MEMORY;
+}
+
+static void close_answers(answers *a)
+{
+    void *all[] = {a->verdict, a->world, a->inside, a->time, a->witness};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        free(all[k]);
+}
+
 static fmb_status open_way(study_box_bench *b, int i, fmb_simd simd)
 {
-    size_t n = STUDY_VALIDATE_MOST, dim = (size_t)b->dim;
     fmb_pair_options o = {.size = sizeof o};
     o.method = i == EXACT ? FMB_PAIR_EXACT : FMB_PAIR_FMB;
     o.tightest = i == TIGHTEST;
     o.simd = simd;
-    b->said[i] = (answers){calloc(n, sizeof(fmb_verdict)), calloc(2 * n * dim, sizeof(double)),
-                           calloc(2 * n * dim, sizeof(double)), calloc(2 * n, sizeof(double)),
-                           calloc(n * dim, sizeof(double))};
-    const answers *a = &b->said[i];
-    if (!a->verdict || !a->world || !a->inside || !a->time || !a->witness)
-        return FMB_ERR_MEMORY;
-    return fmb_pair_new(b->dim, &o, NULL, &b->way[i]);
+    fmb_status st = FMB_OK;
+    for (int order = 0; st == FMB_OK && order < 2; order++)
+        st = open_answers(&b->said[order][i], STUDY_VALIDATE_MOST, (size_t)b->dim);
+    return st == FMB_OK ? fmb_pair_new(b->dim, &o, NULL, &b->way[i]) : st;
 }
 
 fmb_status study_box_bench_open(int dim, fmb_simd simd, study_box_bench **out)
@@ -76,10 +87,8 @@ void study_box_bench_close(study_box_bench *b)
     if (!b)
         return;
     for (int i = 0; i < WAYS; i++) {
-        answers *a = &b->said[i];
-        void *all[] = {a->verdict, a->world, a->inside, a->time, a->witness};
-        for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-            free(all[k]);
+        for (int order = 0; order < 2; order++)
+            close_answers(&b->said[order][i]);
         fmb_pair_free(b->way[i]);
     }
     fmb_solver_free(b->solver);
@@ -100,9 +109,9 @@ void study_box_bench_cancel(study_box_bench *b)
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
-static fmb_pair_answers of_pair(const study_box_bench *b, int way, size_t i)
+static fmb_pair_answers of_pair(const study_box_bench *b, int order, int way, size_t i)
 {
-    const answers *a = &b->said[way];
+    const answers *a = &b->said[order][way];
     size_t dim = (size_t)b->dim;
     return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
                               .verdict = a->verdict + i,
@@ -121,7 +130,7 @@ static bool is_proved_common(study_box_bench *b, const fmb_frame *p, const fmb_f
     for (int k = 0; good && k < 2; k++) {
         fmb_verdict verdict[2] = {FMB_UNKNOWN, FMB_UNKNOWN};
         if (study_meeting_load(&b->meeting, f[k], &point))
-            study_prove_verdicts(b->proposer, &b->meeting, f[k], &point, verdict);
+            study_prove_verdicts(b->proposer, &b->meeting, verdict);
         good = verdict[FMB_CONTACT_CLOSED] == FMB_FEASIBLE;
     }
     return good;
@@ -134,7 +143,7 @@ static bool is_proved_near(study_box_bench *b, const fmb_frame *p, const fmb_fra
     fmb_verdict verdict[2] = {FMB_UNKNOWN, FMB_UNKNOWN};
     const fmb_frame *f = b->near.frame;
     if (study_witness_frames(p, q, x, &b->near) && study_meeting_load(&b->meeting, &f[0], &f[1]))
-        study_prove_verdicts(b->double_proposer, &b->meeting, &f[0], &f[1], verdict);
+        study_prove_verdicts(b->double_proposer, &b->meeting, verdict);
     return verdict[FMB_CONTACT_CLOSED] == FMB_FEASIBLE;
 }
 
@@ -175,26 +184,48 @@ static bool is_interval_proved(study_box_bench *b, bool is_world, int number, co
     return good;
 }
 
-static bool are_ends_proved(study_box_bench *b, const fmb_frame *q, const fmb_pair_answers *a)
+static bool are_unknowns_proved(study_box_bench *b, int frame, const double *inside)
+{
+    const int *from = b->meeting.from;
+    bool good = true;
+    for (int j = from[frame]; j < from[frame + 1]; j++)
+        good &= is_interval_proved(b, false, j, inside + 2 * (j - from[frame]));
+    return good;
+}
+
+/* Ends in the world, and of time. */
+static bool are_ends_proved(study_box_bench *b, const fmb_pair_answers *a)
 {
     const study_meeting *s = &b->meeting;
     bool good = true;
     for (int i = 0; i < b->dim; i++)
         good &= is_interval_proved(b, true, i, a->world + 2 * i);
-    for (int k = 0; k < q->naxes; k++)
-        good &= is_interval_proved(b, false, s->from[1] + k, a->inside + 2 * k);
     if (s->columns == s->from[2])
         return good && a->time[0] == 0 && a->time[1] == 1;
     return good & is_interval_proved(b, false, s->from[2], a->time);
 }
 
-/* Is every end proved to be the exact one, rounded outward? At the second try all points are known
- * that were found at the first. */
-static bool is_box_proved(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
-                          const fmb_pair_answers *a)
+static bool are_same_ends(const double *a, const double *b, int n)
 {
-    return study_meeting_load(&b->meeting, p, q) && study_start_ends(b->proposer, p, q) &&
-           (are_ends_proved(b, q, a) || are_ends_proved(b, q, a));
+    bool same = true;
+    for (int i = 0; i < 2 * n; i++)
+        same &= a[i] == b[i];
+    return same;
+}
+
+/* Is every end of the pair i proved to be the exact one, rounded outward, in either order? In the
+ * world and in time these are the same in both. */
+static void prove_boxes(study_box_bench *b, size_t i, const fmb_frame *p, const fmb_frame *q,
+                        bool proved[2])
+{
+    const fmb_pair_answers first = of_pair(b, 0, TIGHTEST, i), other = of_pair(b, 1, TIGHTEST, i);
+    proved[0] = proved[1] = false;
+    if (!study_meeting_load(&b->meeting, p, q) || !study_start_ends(b->proposer, &b->meeting) ||
+        !are_ends_proved(b, &first))
+        return;
+    proved[0] = are_unknowns_proved(b, 1, first.inside);
+    proved[1] = are_same_ends(first.world, other.world, b->dim) &&
+                are_same_ends(first.time, other.time, 1) && are_unknowns_proved(b, 0, other.inside);
 }
 
 /* Ends by the exact way, where they are not proved. */
@@ -202,7 +233,7 @@ static fmb_status ask_exactly(study_box_bench *b, const fmb_frame *p, const fmb_
                               unsigned *faults, const fmb_pair_answers *tightest,
                               study_tally *tally)
 {
-    fmb_pair_answers exact = of_pair(b, EXACT, 0);
+    fmb_pair_answers exact = of_pair(b, 0, EXACT, 0);
     double none;
     fmb_status st = fmb_pair_test(b->way[EXACT], 1, p, q, &exact);
     tally->boxes_solved++;
@@ -213,19 +244,13 @@ static fmb_status ask_exactly(study_box_bench *b, const fmb_frame *p, const fmb_
     return st;
 }
 
-/* Pair i, once everything was asked about it. */
-static fmb_status judge(study_box_bench *b, size_t i, const fmb_frame *p, const fmb_frame *q,
-                        unsigned *faults, study_tally *tally)
+/* Pair i in that order, once everything was asked about it. */
+static fmb_status judge_order(study_box_bench *b, int order, size_t i, const fmb_frame *p,
+                              const fmb_frame *q, bool proved, unsigned *faults, study_tally *tally)
 {
-    fmb_pair_answers usual = of_pair(b, USUAL, i), tightest = of_pair(b, TIGHTEST, i);
+    fmb_pair_answers usual = of_pair(b, order, USUAL, i), tightest = of_pair(b, order, TIGHTEST, i);
     double excess;
-    fmb_status st = FMB_OK;
-    if (*usual.verdict != FMB_FEASIBLE || *tightest.verdict != FMB_FEASIBLE) {
-        *faults |= STUDY_FAULT_UNDECIDED;
-        return FMB_OK;
-    }
-    if (!is_box_proved(b, p, q, &tightest))
-        st = ask_exactly(b, p, q, faults, &tightest, tally);
+    fmb_status st = proved ? FMB_OK : ask_exactly(b, p, q, faults, &tightest, tally);
     *faults |= study_box_faults(p, q, &usual, &tightest, false, &excess);
     tally->excess = fmax(tally->excess, excess);
     if (st == FMB_OK)
@@ -234,21 +259,35 @@ static fmb_status judge(study_box_bench *b, size_t i, const fmb_frame *p, const 
     return st == FMB_OK && !same ? check_witness(b, p, q, tightest.witness, faults) : st;
 }
 
+static fmb_status judge(study_box_bench *b, size_t i, const fmb_frame *p, const fmb_frame *q,
+                        unsigned *faults, study_tally *tally)
+{
+    bool proved[2];
+    for (int order = 0; order < 2; order++)
+        for (int way = 0; way < EXACT; way++)
+            if (b->said[order][way].verdict[i] != FMB_FEASIBLE) {
+                *faults |= STUDY_FAULT_UNDECIDED;
+                return FMB_OK;
+            }
+    prove_boxes(b, i, p, q, proved);
+    fmb_status st = judge_order(b, 0, i, p, q, proved[0], faults, tally);
+    return st == FMB_OK ? judge_order(b, 1, i, q, p, proved[1], faults, tally) : st;
+}
+
 fmb_status study_box_bench_run(study_box_bench *b, size_t n, const fmb_frame *p, const fmb_frame *q,
                                unsigned *faults, study_tally *tally)
 {
     fmb_pair_counts before = {.size = sizeof before}, after = {.size = sizeof after};
     fmb_status st = fmb_pair_count(b->way[USUAL], &before);
-    for (size_t i = 0; i < n; i++)
-        faults[i] = 0;
-    for (int order = 0; order < 2; order++) {
-        const fmb_frame *x = order ? q : p, *y = order ? p : q;
+    for (int order = 0; order < 2; order++)
         for (int way = 0; st == FMB_OK && way < EXACT && !atomic_load(&b->stopped); way++) {
-            fmb_pair_answers out = of_pair(b, way, 0);
-            st = fmb_pair_test(b->way[way], n, x, y, &out);
+            fmb_pair_answers out = of_pair(b, order, way, 0);
+            st = fmb_pair_test(b->way[way], n, order ? q : p, order ? p : q, &out);
         }
-        for (size_t i = 0; st == FMB_OK && i < n && !atomic_load(&b->stopped); i++)
-            st = judge(b, i, &x[i], &y[i], &faults[i], tally);
+    for (size_t i = 0; i < n; i++) {
+        faults[i] = 0;
+        if (st == FMB_OK && !atomic_load(&b->stopped))
+            st = judge(b, i, &p[i], &q[i], &faults[i], tally);
     }
     tally->boxes += n;
     if (st == FMB_OK)
