@@ -8,6 +8,9 @@
 #include "study/reference/equations.h"
 #include "study/reference/propose.h"
 
+/* Unknowns that are as near to an end may be at it: guesses. */
+#define TINY 0x1p-30
+
 enum {
     ROWS = STUDY_EQUATIONS_MOST,
     COLUMNS = STUDY_MEETING_MOST_COLUMNS + 2,

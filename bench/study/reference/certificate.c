@@ -266,6 +266,22 @@ static int compare_to_double(study_meeting *s, const mpz_t value, const mpz_t n,
     return mpz_cmp(s->most, s->part);
 }
 
+/* Coordinate i is (origin + axes of A c + speed of A t) 2^unit. */
+bool study_meeting_is_near(study_meeting *s, mpz_t *z, const mpz_t n, const double *x, double near)
+{
+    bool good = study_meeting_has_point(s, FMB_CONTACT_CLOSED, z, n);
+    for (int i = 0; good && i < s->dim; i++) {
+        mpz_mul(s->sum, s->origin[i], n);
+        for (int j = 0; j < s->from[1]; j++)
+            mpz_addmul(s->sum, s->m[i][j], z[j]);
+        for (int j = s->from[2]; j < s->columns; j++)
+            mpz_addmul(s->sum, s->speed[i], z[j]);
+        good = isfinite(x[i]) && compare_to_double(s, s->sum, n, s->unit[i], x[i] - near) >= 0 &&
+               compare_to_double(s, s->sum, n, s->unit[i], x[i] + near) <= 0;
+    }
+    return good;
+}
+
 /* w0 + w z at the point exceeds the next lower double, so the end is no lower; and for all z with
  * M z = h, K (w0 + w z) = K w0 + y h + (K w - y M) z, of which the last is at most its largest sum:
  * so nothing exceeds the end. */

@@ -35,6 +35,9 @@ bool study_meeting_load(study_meeting *s, const fmb_frame *p, const fmb_frame *q
 /* Is Z / N a common point, of relative interiors if the contact is open? Z has `columns` numbers.
  */
 bool study_meeting_has_point(study_meeting *s, fmb_contact contact, mpz_t *z, const mpz_t n);
+/* Is Z / N a common point, and is the point of the world there as near to x in every coordinate, up
+ * to rounding of x +- near? */
+bool study_meeting_is_near(study_meeting *s, mpz_t *z, const mpz_t n, const double *x, double near);
 /* Does the direction y, of dim numbers, show that there is none? */
 bool study_meeting_has_none(study_meeting *s, fmb_contact contact, mpz_t *y);
 

@@ -64,7 +64,7 @@ unsigned study_box_faults(const fmb_frame *p, const fmb_frame *q, const fmb_pair
            compare(ours->time, exact->time, 1, 1, tightest, excess);
 }
 
-static double size_of_neighbourhood(const fmb_frame *p, const fmb_frame *q)
+double study_neighbourhood(const fmb_frame *p, const fmb_frame *q)
 {
     return slack * study_largest_coordinate(p, q) + 0x1p-1073;
 }
@@ -100,7 +100,7 @@ bool study_witness_frames(const fmb_frame *p, const fmb_frame *q, const double *
     int dim = p->dim;
     bool turn = q->shape != FMB_CUBOID;
     const fmb_frame *one = turn ? q : p, *other = turn ? p : q;
-    double near = size_of_neighbourhood(p, q);
+    double near = study_neighbourhood(p, q);
     if (other->shape != FMB_CUBOID || 2 * dim > STUDY_PAIR_MOST_DIM)
         return false;
     put_frame_twice(one, true, out->number[0], &out->frame[0]);
@@ -119,7 +119,7 @@ fmb_status study_witness_system(const fmb_frame *p, const fmb_frame *q, const do
                                 fmb_system **out)
 {
     double corner[STUDY_PAIR_MOST_DIM], axes[STUDY_PAIR_MOST_DIM * STUDY_PAIR_MOST_DIM] = {0};
-    double near = size_of_neighbourhood(p, q);
+    double near = study_neighbourhood(p, q);
     for (int j = 0; j < p->dim; j++) {
         corner[j] = x[j] - near;
         axes[j * p->dim + j] = 2 * near;

@@ -9,6 +9,9 @@
 /* The largest absolute coordinate of a corner of p or q at t = 0 or 1. */
 double study_largest_coordinate(const fmb_frame *p, const fmb_frame *q);
 
+/* What a witness may be off a common point, in every coordinate. */
+double study_neighbourhood(const fmb_frame *p, const fmb_frame *q);
+
 /* Faults (verdicts.h) of one pair's answers beside the exact ones; tightest: ends must be equal.
  * excess: the most by which an end lies farther out, over what counts as 1 there: the largest
  * coordinate for places, 1 for coordinates of a frame and times. */

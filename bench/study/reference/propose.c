@@ -8,9 +8,6 @@
 
 #include "study/reference/basis.h"
 
-/* Unknowns that are as near to an end may be at it: guesses. */
-#define TINY 0x1p-30
-
 enum { MOST_STEPS = 4 * COLUMNS };
 
 /* ---- life ------------------------------------------------------------------------------------ */

@@ -9,6 +9,7 @@
 #include <fmb/solve.h>
 
 #include "study/reference/ends.h"
+#include "study/reference/near.h"
 #include "study/reference/propose.h"
 
 enum { USUAL, TIGHTEST, EXACT, WAYS, MOST = STUDY_PAIR_MOST_DIM };
@@ -28,6 +29,8 @@ struct study_box_bench {
     study_witness_pair near;
     study_meeting meeting;
     study_form form;
+    study_meeting witnessed;
+    bool started; /* the ends of `meeting` */
 };
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -68,6 +71,7 @@ fmb_status study_box_bench_open(int dim, fmb_simd simd, study_box_bench **out)
     fmb_options o = {.size = sizeof o};
     o.evidence = FMB_EVIDENCE_NONE;
     study_meeting_init(&b->meeting);
+    study_meeting_init(&b->witnessed);
     study_form_init(&b->form);
     b->proposer = study_proposer_open(dim);
     b->double_proposer = study_proposer_open(2 * dim);
@@ -95,6 +99,7 @@ void study_box_bench_close(study_box_bench *b)
     study_proposer_close(b->proposer);
     study_proposer_close(b->double_proposer);
     study_meeting_clear(&b->meeting);
+    study_meeting_clear(&b->witnessed);
     study_form_clear(&b->form);
     free(b);
 }
@@ -121,29 +126,14 @@ static fmb_pair_answers of_pair(const study_box_bench *b, int order, int way, si
                               .witness = a->witness + dim * i};
 }
 
-/* Is x proved to be in both, as it is? Frames that move may hold it at different times. */
-static bool is_proved_common(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
-                             const double *x)
-{
-    const fmb_frame point = {FMB_CUBOID, b->dim, 0, x, NULL, NULL}, *const f[2] = {p, q};
-    bool good = !p->speed && !q->speed;
-    for (int k = 0; good && k < 2; k++) {
-        fmb_verdict verdict[2] = {FMB_UNKNOWN, FMB_UNKNOWN};
-        if (study_meeting_load(&b->meeting, f[k], &point))
-            study_prove_verdicts(b->proposer, &b->meeting, verdict);
-        good = verdict[FMB_CONTACT_CLOSED] == FMB_FEASIBLE;
-    }
-    return good;
-}
-
 /* Is x proved to be near a common point? */
 static bool is_proved_near(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
                            const double *x)
 {
     fmb_verdict verdict[2] = {FMB_UNKNOWN, FMB_UNKNOWN};
     const fmb_frame *f = b->near.frame;
-    if (study_witness_frames(p, q, x, &b->near) && study_meeting_load(&b->meeting, &f[0], &f[1]))
-        study_prove_verdicts(b->double_proposer, &b->meeting, verdict);
+    if (study_witness_frames(p, q, x, &b->near) && study_meeting_load(&b->witnessed, &f[0], &f[1]))
+        study_prove_verdicts(b->double_proposer, &b->witnessed, verdict);
     return verdict[FMB_CONTACT_CLOSED] == FMB_FEASIBLE;
 }
 
@@ -157,7 +147,8 @@ static fmb_status check_witness(study_box_bench *b, const fmb_frame *p, const fm
             *faults |= STUDY_FAULT_WITNESS;
             return FMB_OK;
         }
-    if (is_proved_common(b, p, q, x) || is_proved_near(b, p, q, x))
+    if ((b->started && study_prove_near(b->proposer, &b->meeting, x, study_neighbourhood(p, q))) ||
+        is_proved_near(b, p, q, x))
         return FMB_OK;
     fmb_status st = study_witness_system(p, q, x, &s);
     if (st == FMB_OK)
@@ -220,8 +211,9 @@ static void prove_boxes(study_box_bench *b, size_t i, const fmb_frame *p, const 
 {
     const fmb_pair_answers first = of_pair(b, 0, TIGHTEST, i), other = of_pair(b, 1, TIGHTEST, i);
     proved[0] = proved[1] = false;
-    if (!study_meeting_load(&b->meeting, p, q) || !study_start_ends(b->proposer, &b->meeting) ||
-        !are_ends_proved(b, &first))
+    b->started =
+        study_meeting_load(&b->meeting, p, q) && study_start_ends(b->proposer, &b->meeting);
+    if (!b->started || !are_ends_proved(b, &first))
         return;
     proved[0] = are_unknowns_proved(b, 1, first.inside);
     proved[1] = are_same_ends(first.world, other.world, b->dim) &&

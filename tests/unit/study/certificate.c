@@ -116,6 +116,25 @@ Test(certificate, time)
     cr_expect(!has_none(FMB_CONTACT_OPEN, 1, 0), "in one line they meet");
 }
 
+/* Where the point of these squares at that time lies, and how near that is; no other counts. */
+Test(certificate, near_points)
+{
+    const double speed[] = {3, 0}, at[] = {1.75, 0.5}, none[] = {1.75, NAN};
+    fmb_frame moving = SQUARE;
+    moving.speed = speed;
+    cr_assert(study_meeting_load(&meeting, &moving, &BESIDE));
+    /* c of A is (1/4, 1/2), of B (3/4, 1/2), t 1/2 */
+    cr_assert(has_point(FMB_CONTACT_CLOSED, 4, (const int[]){1, 2, 3, 2, 2}));
+    cr_expect(study_meeting_is_near(&meeting, z, n, at, 0));
+    cr_expect(study_meeting_is_near(&meeting, z, n, (const double[]){1.5, 0.75}, 0.25));
+    cr_expect(!study_meeting_is_near(&meeting, z, n, (const double[]){1.5, 0.5}, 0.125));
+    cr_expect(!study_meeting_is_near(&meeting, z, n, (const double[]){1.75, 0.75}, 0.125));
+    cr_expect(!study_meeting_is_near(&meeting, z, n, (const double[]){1.75, 0.25}, 0.125));
+    cr_expect(!study_meeting_is_near(&meeting, z, n, none, 1), "no number");
+    cr_assert(!has_point(FMB_CONTACT_CLOSED, 4, (const int[]){1, 2, 3, 3, 2}));
+    cr_expect(!study_meeting_is_near(&meeting, z, n, at, 1), "no common point");
+}
+
 /* ---- ends ------------------------------------------------------------------------------------ */
 
 /* The right end of what the triangle and a square from (1/3, 0) have in common, along x: 1; and its
@@ -186,12 +205,12 @@ Test(certificate, ends_by_prices)
 }
 
 /* Is every coordinate of the world proved to end there? */
-static bool are_ends(study_proposer *w, const fmb_frame *p, const fmb_frame *q, const double *world)
+static bool are_ends(study_proposer *w, const double *world)
 {
     study_form f;
     bool good = study_start_ends(w, &meeting);
     study_form_init(&f);
-    for (int i = 0; good && i < 2 * p->dim; i++) {
+    for (int i = 0; good && i < 2 * meeting.dim; i++) {
         study_form_of_coordinate(&f, &meeting, i / 2, i % 2 ? 1 : -1);
         good = study_prove_end(w, &meeting, &f, i % 2 ? world[i] : -world[i]);
     }
@@ -221,7 +240,7 @@ Test(certificate, ends_of_long_numbers)
         must(fmb_pair_test(pair, 1, &x.p, &x.q, &out));
         cr_assert(w && study_meeting_load(&meeting, &x.p, &x.q));
         asked += said == FMB_FEASIBLE;
-        proved += said == FMB_FEASIBLE && are_ends(w, &x.p, &x.q, world);
+        proved += said == FMB_FEASIBLE && are_ends(w, world);
         cr_expect_eq(counts_of_pairs(pair).exact_boxes, 0u, "pair %d", i);
         fmb_pair_free(pair);
         study_proposer_close(w);
