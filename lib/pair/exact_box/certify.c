@@ -66,8 +66,14 @@ bool fmb_exact_box_are_apart(const fmb_exact_box *v, const double *weight)
 
 void fmb_exact_box_find_prices(fmb_exact_box *v, const fmb_wide *const *cost, fmb_wide *y)
 {
-    const fmb_exact_box_whole *w = fmb_exact_box_need_adjugate(v);
+    fmb_exact_box_whole *w = v->whole;
     const fmb_wide *column[DIM];
+    if (w->adjugate_of != v) {
+        for (int k = 0; k < v->program->dim; k++)
+            fmb_wide_copy(&w->fall[k], cost[k]);
+        fmb_exact_box_solve_transposed(v, w->fall, y);
+        return;
+    }
     for (int row = 0; row < v->program->dim; row++) {
         for (int k = 0; k < v->program->dim; k++)
             column[k] = &w->adjugate[k][row];

@@ -173,97 +173,147 @@ static void find_near(fmb_exact_box *v)
         v->of_reference[group] = near_remainder(v, group, -1);
 }
 
-/* ---- values in integers ----------------------------------------------------------------------
+/* ---- in integers -----------------------------------------------------------------------------
  *
- * x by Cramer's rule. The minors of the first k rows come from those of the first k - 1, expanded
- * along row k (Laplace): each factor but one is a short entry, and nothing is divided.
+ * Elimination without fractions (Bareiss 1968, Sylvester's identity and multistep
+ * integer-preserving Gaussian elimination): with p_k on the diagonal when column k goes, p_-1 = 1,
+ * all that is left are minors of P and its rest. What stays below the diagonal is L, on it and
+ * above U, and P, its rows in the order of `row`, is L D^-1 U with D = diag(p_{k-1} p_k). The last
+ * p_k is det, but for its sign.
  */
 
+/* a[k][k - 1], or NULL. */
+static const fmb_wide *previous_pivot(const fmb_exact_box_whole *w, int k)
+{
+    return k > 0 ? &w->factor[k - 1][k - 1] : NULL;
+}
+
+/* a = (pivot a - b c) / previous: a whole number. */
+static void eliminate(fmb_wide *a, const fmb_wide *pivot, const fmb_wide *b, const fmb_wide *c,
+                      const fmb_wide *previous)
+{
+    if (a->n == 0 && (b->n == 0 || c->n == 0))
+        return;
+    fmb_wide_dot(a, 2, (const fmb_wide *const[]){pivot, b}, (const fmb_wide *const[]){a, c}, 2);
+    if (previous)
+        fmb_wide_divide_exactly(a, previous);
+}
+
 /* Columns of P, and behind them h less the columns that count once: row by row. */
-static void list_whole_entries(fmb_exact_box *v, const fmb_wide *(*entry)[DIM + 1])
+static void list_whole_entries(fmb_exact_box *v)
 {
     const fmb_exact_box_program *s = v->program;
-    fmb_wide(*room)[DIM + 1] = v->whole->entry;
     for (int row = 0; row < s->dim; row++) {
+        fmb_wide *to = v->whole->factor[row], *rest = &to[s->dim];
         for (int k = 0; k < s->dim; k++) {
             const fmb_exact_box_vector *less = reference_column(v, v->basic[k]);
-            entry[row][k] = fmb_exact_box_difference(
-                &s->m[v->basic[k]].whole[row], less ? &less->whole[row] : NULL, &room[row][k]);
+            fmb_wide_copy(&to[k], &s->m[v->basic[k]].whole[row]);
+            if (less)
+                fmb_wide_subtract(&to[k], &less->whole[row]);
         }
-        fmb_wide *rest = &room[row][s->dim];
         fmb_wide_copy(rest, &s->h.whole[row]);
         for (int j = 0; j < s->columns; j++)
             if (fmb_exact_box_is_one(v, j))
                 fmb_exact_box_gather_end(s, j, rest, &s->m[j].whole[row], true);
-        entry[row][s->dim] = rest;
+        v->whole->row[row] = row;
     }
 }
 
-/* The minor of a set of columns, which is one row larger than those at `before`. */
-static void expand_minor(unsigned set, int row, const fmb_wide *const *entry,
-                         const fmb_wide *before, const unsigned char *slot, fmb_wide *out)
+/* A row from k on whose number in column k has the fewest words comes to place k. False: all are 0.
+ */
+static bool take_pivot_row(fmb_exact_box_whole *w, int n, int k)
 {
-    const fmb_wide *a[DIM + 1], *b[DIM + 1];
-    unsigned minus = 0;
-    int n = 0, place = row;
-    for (unsigned left = set; left; left &= left - 1, place++) {
-        const int j = __builtin_ctz(left);
-        const fmb_wide *minor = &before[slot[set & ~(1U << j)]];
-        if (entry[j]->n == 0 || minor->n == 0)
-            continue;
-        minus |= (unsigned)place % 2 << n;
-        a[n] = entry[j];
-        b[n++] = minor;
-    }
-    fmb_wide_dot(out, n, a, b, minus);
+    int best = -1, row;
+    for (int i = k; i < n; i++)
+        if (w->factor[i][k].n > 0 && (best < 0 || w->factor[i][k].n < w->factor[best][k].n))
+            best = i;
+    if (best <= k)
+        return best == k;
+    for (int j = 0; j <= n; j++)
+        fmb_wide_swap(&w->factor[k][j], &w->factor[best][j]);
+    row = w->row[k];
+    w->row[k] = w->row[best];
+    w->row[best] = row;
+    return true;
 }
 
-/* The next larger set that has as many members (Gosper 1972, HAKMEM). */
-static unsigned next_set(unsigned set)
+/* False: P has no inverse. */
+static bool factor_basis(fmb_exact_box *v)
 {
-    const unsigned lowest = set & (0 - set), up = set + lowest;
-    return up | (set ^ up) / lowest >> 2;
-}
-
-/* The minors of all rows, in the order of their sets: without column n, which is det, n - 1, ... */
-static const fmb_wide *find_whole_minors(fmb_exact_box *v)
-{
-    const int n = v->program->dim;
-    const fmb_wide *entry[DIM][DIM + 1];
-    unsigned char slot[2U << DIM];
     fmb_exact_box_whole *w = v->whole;
-    list_whole_entries(v, entry);
-    slot[0] = 0;
-    fmb_wide_set_word(&w->minor[0][0], 1);
-    for (int row = 0; row < n; row++) {
-        unsigned char next = 0;
-        for (unsigned set = (2U << row) - 1; set < 2U << n; set = next_set(set)) {
-            slot[set] = next++;
-            expand_minor(set, row, entry[row], w->minor[row % 2], slot,
-                         &w->minor[(row + 1) % 2][slot[set]]);
-        }
+    const int n = v->program->dim;
+    list_whole_entries(v);
+    for (int k = 0; k < n; k++) {
+        if (!take_pivot_row(w, n, k))
+            return false;
+        for (int i = k + 1; i < n; i++)
+            for (int j = k + 1; j <= n; j++)
+                eliminate(&w->factor[i][j], &w->factor[k][k], &w->factor[i][k], &w->factor[k][j],
+                          previous_pivot(w, k));
     }
-    return w->minor[n % 2];
+    return true;
 }
 
-/* The rest stands behind the columns, not in the place of that of x_k. */
+/* out = (det first - the sum of a[i] b[i]) / pivot, i < n < DIM; where n is 0 the pivot is det.
+ */
+static void substitute(const fmb_wide *det, const fmb_wide *first, int n, const fmb_wide **a,
+                       const fmb_wide **b, const fmb_wide *pivot, fmb_wide *out)
+{
+    if (n == 0) {
+        fmb_wide_copy(out, first);
+        return;
+    }
+    a[n] = det;
+    b[n] = first;
+    fmb_wide_dot(out, n + 1, a, b, (1u << n) - 1);
+    fmb_wide_divide_exactly(out, pivot);
+}
+
 const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v)
 {
     fmb_exact_box_whole *w = v->whole;
     const int n = v->program->dim;
+    const fmb_wide *a[DIM], *b[DIM];
     if (w->of == v)
         return w;
-    const fmb_wide *minor = find_whole_minors(v);
     w->of = v;
     w->adjugate_of = w->adjugate_of == v ? v : NULL;
-    fmb_wide_copy(&w->det, &minor[0]);
-    w->det.minus = false;
-    for (int k = 0; k < n; k++) {
-        fmb_wide_copy(&w->x[k], &minor[n - k]);
-        if (((n - 1 - k) % 2 == 1) != minor[0].minus)
-            fmb_wide_negate(&w->x[k]);
+    w->det.n = 0;
+    if (!factor_basis(v))
+        return w;
+    fmb_wide_copy(&w->det, &w->factor[n - 1][n - 1]);
+    for (int k = n; k-- > 0;) {
+        for (int j = k + 1; j < n; j++) {
+            a[j - k - 1] = &w->factor[k][j];
+            b[j - k - 1] = &w->x[j];
+        }
+        substitute(&w->det, &w->factor[k][n], n - k - 1, a, b, &w->factor[k][k], &w->x[k]);
     }
+    for (int k = 0; w->det.minus && k < n; k++)
+        fmb_wide_negate(&w->x[k]);
+    w->det.minus = false;
     return w;
+}
+
+/* c is one more row of the elimination, whose part of L takes its place: c = l D^-1 U, so the y of
+ * y L D^-1 U = c is that of y L = l. */
+void fmb_exact_box_solve_transposed(fmb_exact_box *v, fmb_wide *c, fmb_wide *y)
+{
+    const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
+    const int n = v->program->dim;
+    const fmb_wide *det = &w->factor[n - 1][n - 1], *a[DIM], *b[DIM];
+    for (int k = 0; k < n; k++)
+        for (int j = k + 1; j < n; j++)
+            eliminate(&c[j], &w->factor[k][k], &c[k], &w->factor[k][j], previous_pivot(w, k));
+    for (int k = n; k-- > 0;) {
+        for (int i = k + 1; i < n; i++) {
+            a[i - k - 1] = &w->factor[i][k];
+            b[i - k - 1] = &y[w->row[i]];
+        }
+        substitute(det, &c[k], n - k - 1, a, b, &w->factor[k][k], &y[w->row[k]]);
+    }
+    for (int k = 0; det->minus && k < n; k++)
+        fmb_wide_negate(&y[k]);
 }
 
 /* ---- the adjugate ----------------------------------------------------------------------------

@@ -21,7 +21,6 @@ typedef struct fmb_exact_box_near {
 } fmb_exact_box_near;
 
 enum {
-    FMB_EXACT_BOX_MINORS = 126,                 /* of one order in dim + 1 columns, at most */
     FMB_EXACT_BOX_ITEMS = FMB_EXACT_BOX_DIM + 2 /* basic unknowns, references among them */
 };
 
@@ -33,9 +32,11 @@ typedef struct fmb_exact_box_whole {
     const struct fmb_exact_box *of, *adjugate_of, *low_of;
     fmb_wide det; /* >= 0; 0: P has no inverse, and the others mean nothing */
     fmb_wide x[FMB_EXACT_BOX_DIM], adjugate[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM];
-    fmb_exact_box_low low; /* before signs are such that det >= 0 */
+    fmb_wide factor[FMB_EXACT_BOX_DIM]
+                   [FMB_EXACT_BOX_DIM + 1]; /* of P with its rest, of det and x */
+    int row[FMB_EXACT_BOX_DIM];             /* where each of its rows was */
+    fmb_exact_box_low low;                  /* before signs are such that det >= 0 */
     /* Room for calculations: long numbers are too long for the stack of a small thread. */
-    fmb_wide minor[2][FMB_EXACT_BOX_MINORS], entry[FMB_EXACT_BOX_DIM][FMB_EXACT_BOX_DIM + 1];
     fmb_wide cost[FMB_EXACT_BOX_DIM], column[FMB_EXACT_BOX_DIM], price[FMB_EXACT_BOX_DIM];
     /* Of a walk; way: 1, 0 and -1, the way into its place of what is below, in, and above it. */
     fmb_wide value[FMB_EXACT_BOX_ITEMS], fall[FMB_EXACT_BOX_ITEMS], way[3];
@@ -89,6 +90,8 @@ void fmb_exact_box_bound_way(const fmb_exact_box *v, const double *rest, double 
 /* Its values and det exactly, in v->whole; the adjugate and det. */
 const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v);
 fmb_exact_box_whole *fmb_exact_box_need_adjugate(fmb_exact_box *v);
+/* det times c P^-1, for P that has an inverse; the numbers of c do not last. */
+void fmb_exact_box_solve_transposed(fmb_exact_box *v, fmb_wide *c, fmb_wide *y);
 /* The same modulo 2^128. */
 const fmb_exact_box_low *fmb_exact_box_need_low(fmb_exact_box *v);
 /* Row k of the adjugate times a column. */
