@@ -1,12 +1,14 @@
 /* watch.c: see watch.h. A signal handler can reach only static storage, so the solver that is
- * running stands there. */
+ * running stands there. Progress is shown by a thread of its own: a single round of an elimination
+ * may take minutes, in which the query says nothing, and its time is to go on. */
 #include "fmb/watch.h"
 
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
-#include <stdatomic.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "common/file.h"
 #include "common/signals.h"
 
@@ -25,16 +27,21 @@ static void cancel(int signal_number)
     errno = before;
 }
 
+/* ---- the line on the terminal ---------------------------------------------------------------- */
+
 /* Overwrites the line that is there, with spaces behind it if it was longer. */
 static void show_progress(app_watch *w, double seconds)
 {
-    int width = fprintf(stderr, "\rfmb: round %d, %llu rows, %llu linear programs, %.1f s",
-                        w->round, (unsigned long long)w->rows, (unsigned long long)w->lps, seconds);
+    int width = fprintf(stderr, "\rfmb: ");
+    if (w->round > 0)
+        width += fprintf(stderr, "round %d, %llu rows, ", w->round, w->rows);
+    if (w->lps > 0)
+        width += fprintf(stderr, "%llu linear programs, ", w->lps);
+    width += fprintf(stderr, "%.1f s", seconds);
     for (int i = width; i < w->width; i++)
         fputc(' ', stderr);
     fflush(stderr);
     w->width = width;
-    w->shown = seconds;
 }
 
 static void erase_progress(app_watch *w)
@@ -44,6 +51,50 @@ static void erase_progress(app_watch *w)
     fflush(stderr);
     w->width = 0;
 }
+
+/* Waits until then [s], or the end. */
+static void wait_until(app_watch *w, double then)
+{
+    const struct timespec at = {(time_t)then, (long)(1e9 * (then - floor(then)))};
+    while (!w->over && fmb_monotonic_seconds() < then)
+        pthread_cond_timedwait(&w->end, &w->lock, &at);
+}
+
+static void *show_until_the_end(void *self)
+{
+    app_watch *w = self;
+    pthread_mutex_lock(&w->lock);
+    for (double next = w->begun + patience; wait_until(w, next), !w->over;
+         next = fmb_monotonic_seconds() + interval)
+        show_progress(w, fmb_monotonic_seconds() - w->begun);
+    pthread_mutex_unlock(&w->lock);
+    return NULL;
+}
+
+/* Without a thread nothing is shown. */
+static bool begin_to_show(app_watch *w)
+{
+    pthread_condattr_t monotonic;
+    w->begun = fmb_monotonic_seconds();
+    pthread_mutex_init(&w->lock, NULL);
+    pthread_condattr_init(&monotonic);
+    pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC);
+    pthread_cond_init(&w->end, &monotonic);
+    pthread_condattr_destroy(&monotonic);
+    return pthread_create(&w->thread, NULL, show_until_the_end, w) == 0;
+}
+
+static void end_showing(app_watch *w)
+{
+    pthread_mutex_lock(&w->lock);
+    w->over = true;
+    pthread_cond_signal(&w->end);
+    pthread_mutex_unlock(&w->lock);
+    pthread_join(w->thread, NULL);
+    erase_progress(w);
+}
+
+/* ---- the query ------------------------------------------------------------------------------- */
 
 /* A signal that came before the query began was not meant for it in the solver's eyes, but was in
  * the user's: it is passed on as soon as the query shows a sign of life. */
@@ -55,18 +106,16 @@ static void put(void *self, const fmb_event *e)
     if (w->trace.put)
         w->trace.put(w->trace.self, e);
     if (e->kind == FMB_EVENT_ROUND) {
-        w->round = e->round;
         w->rows = e->rows_out;
+        w->round = e->round;
     }
     w->lps += e->kind == FMB_EVENT_LP;
-    if (w->terminal && e->seconds > patience && e->seconds - w->shown > interval)
-        show_progress(w, e->seconds);
 }
 
 void app_watch_begin(app_watch *w, fmb_solver *solver, fmb_sink trace, bool quiet)
 {
     *w = (app_watch){.solver = solver, .trace = trace};
-    w->terminal = !quiet && isatty(STDERR_FILENO);
+    w->shows = !quiet && isatty(STDERR_FILENO) && begin_to_show(w);
     fmb_solver_set_sink(solver, (fmb_sink){put, w});
     asked_to_stop = false;
     running = solver;
@@ -78,5 +127,6 @@ void app_watch_end(app_watch *w)
     app_signals_set(app_file_abandon);
     running = NULL;
     fmb_solver_set_sink(w->solver, (fmb_sink){NULL, NULL});
-    erase_progress(w);
+    if (w->shows)
+        end_showing(w);
 }

@@ -2,20 +2,27 @@
 #ifndef APP_WATCH_H
 #define APP_WATCH_H
 
+#include <pthread.h>
+#include <stdatomic.h>
+
 #include <fmb/solve.h>
 
 typedef struct app_watch {
     fmb_solver *solver;
     fmb_sink trace; /* {NULL, NULL} if there is none */
-    bool terminal;  /* may progress be shown? */
-    double shown;   /* when it was shown last [s] */
-    int width;      /* characters on the line now */
-    uint64_t lps, rows;
-    int round;
+    atomic_int round;
+    atomic_ullong rows, lps;
+    bool shows; /* on a terminal a thread shows how far the query is; what follows is for that */
+    pthread_t thread;
+    pthread_mutex_t lock; /* for `over` */
+    pthread_cond_t end;
+    bool over;
+    double begun; /* [s] */
+    int width;    /* characters on the line now */
 } app_watch;
 
 /* From here to app_watch_end SIGINT and its like (signals.h) cancel the solver's query; a second
- * one ends the process. One watch at a time. */
+ * one ends the process. One watch at a time; it must not move. */
 void app_watch_begin(app_watch *w, fmb_solver *solver, fmb_sink trace, bool quiet);
 void app_watch_end(app_watch *w);
 
