@@ -87,7 +87,7 @@ typedef struct fmb_options {
                                    (<fmb/base.h>); a reduced system counts from the start, as much
                                    as the whole one, and is given out even so; 0 = no limit */
     size_t threads;             /* for the ends of a box, rows that may be redundant, support
-                                   queries and rays; 0 or 1: the caller's alone. With more the
+                                   queries and rays, and two ways to a projection at once; 0 or 1: the caller's alone. With more the
                                    allocator (<fmb/base.h>) must be safe for threads. Answers are
                                    the same for any number; proofs may differ from those of one */
     fmb_symmetries symmetry;    /* use of symmetries; answers are the same. Others may be given in

@@ -141,6 +141,7 @@ void fmb_share_begin(fmb_share *s, const fmb_run *run, size_t shares)
     s->run.tells_rows = false;
     s->run.threads = 1;
     s->run.work = s->run.slice_end = 0;
+    s->run.overtaken = NULL;
     s->run.stats = (fmb_stats){0};
 }
 

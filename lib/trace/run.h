@@ -29,6 +29,8 @@ typedef struct fmb_run {
     unsigned tick;            /* polls so far: the clock is read at every 16th */
     uint64_t work;            /* done so far: fmb_run_count */
     uint64_t slice_end; /* an engine that can go on later stops at so much work; 0: none does */
+    const atomic_uint_least64_t *overtaken; /* at so much, too, which another thread may lower; or
+                                               NULL */
     fmb_stats stats;
     fmb_sink sink;
     bool tells_rows;   /* the watcher wants to know of every row */
@@ -62,9 +64,14 @@ static inline void fmb_run_count(fmb_run *run, uint64_t steps)
 {
     run->work += steps;
 }
+static inline bool fmb_run_is_overtaken(const fmb_run *run)
+{
+    return run->overtaken &&
+           run->work >= atomic_load_explicit(run->overtaken, memory_order_relaxed);
+}
 static inline bool fmb_run_is_slice_over(const fmb_run *run)
 {
-    return run->slice_end > 0 && run->work >= run->slice_end;
+    return (run->slice_end > 0 && run->work >= run->slice_end) || fmb_run_is_overtaken(run);
 }
 
 /* FMB_OK, or FMB_LIMIT when the query must stop. Cheap. */

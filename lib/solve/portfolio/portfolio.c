@@ -8,6 +8,7 @@
 #include "solve/limit/outer.h"
 #include "solve/portfolio/project_rays.h"
 #include "solve/portfolio/project_support.h"
+#include "solve/portfolio/race.h"
 #include "solve/portfolio/selection.h"
 #include "solve/portfolio/slices.h"
 #include "solve/prepare/irredundant_rows.h"
@@ -110,6 +111,10 @@ typedef struct part_run {
     fmb_queries *queries;
     part_elimination e; /* the elimination that takes turns */
     fmb_slices slices;
+    bool races;    /* queries may go on beside other engines */
+    bool ready;    /* an engine knows the answer, which is not put out */
+    size_t engine; /* that went on last, */
+    bool begun;    /* if it could be opened */
     bool known, *feasible, done;
 } part_run;
 
@@ -205,7 +210,7 @@ static fmb_status try_bounded_elimination(part_run *r, uint64_t budget)
 
 static bool is_open(fmb_status st, const part_run *r)
 {
-    return st == FMB_OK && !r->done && *r->feasible;
+    return st == FMB_OK && !r->ready && !r->done && *r->feasible;
 }
 
 /* ---- engines --------------------------------------------------------------------------------- */
@@ -213,8 +218,9 @@ static bool is_open(fmb_status st, const part_run *r)
 static fmb_status open_queries(part_run *r)
 {
     r->known = true;
-    return r->queries ? FMB_OK
-                      : fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
+    return r->queries
+               ? FMB_OK
+               : fmb_queries_open(r->q, r->part, r->place, r->races, &r->queries, r->feasible);
 }
 
 static fmb_status open_rays(part_run *r)
@@ -224,12 +230,26 @@ static fmb_status open_rays(part_run *r)
 
 static fmb_status go_on_with_rays(part_run *r)
 {
-    return fmb_ray_projection_run(r->rays, r->out, r->feasible, &r->done);
+    return fmb_ray_projection_run(r->rays, r->feasible, &r->ready);
+}
+
+static fmb_status put_rays(part_run *r, fmb_status st)
+{
+    FMB_THEN(st, fmb_ray_projection_put(r->rays, r->out, r->feasible));
+    r->done = st == FMB_OK;
+    return st;
 }
 
 static fmb_status go_on_with_queries(part_run *r)
 {
-    return fmb_queries_run(r->queries, r->out, &r->done);
+    return fmb_queries_run(r->queries, &r->ready);
+}
+
+static fmb_status put_queries(part_run *r, fmb_status st)
+{
+    st = fmb_queries_put(r->queries, r->out, st);
+    r->done = st == FMB_OK;
+    return st;
 }
 
 /* Of all that the part is made of, with the rule that asks the oracle. */
@@ -247,6 +267,12 @@ static fmb_status open_elimination(part_run *r)
 static fmb_status go_on_with_elimination(part_run *r)
 {
     fmb_status st = fmb_elim_eliminate(&r->e.e, r->reduced.drop);
+    r->ready = st == FMB_OK;
+    return st == FMB_LIMIT && r->e.e.paused ? FMB_OK : st;
+}
+
+static fmb_status put_elimination(part_run *r, fmb_status st)
+{
     return put_rows_of_elimination(&r->e, &r->e.e, st, true, r->feasible, &r->done);
 }
 
@@ -254,12 +280,14 @@ static const struct engine {
     const char *name;
     fmb_status (*open)(part_run *); /* unless it is */
     fmb_status (*go_on)(part_run *);
-    int way; /* its switch; FMB_WAY_COUNT: none */
+    fmb_status (*put)(part_run *, fmb_status); /* what is known; after LIMIT, so far */
+    int way;                                   /* its switch; FMB_WAY_COUNT: none */
 } ENGINE[] = {
-    [FMB_ENGINE_RAYS] = {"double description", open_rays, go_on_with_rays, FMB_WAY_RAYS},
+    [FMB_ENGINE_RAYS] = {"double description", open_rays, go_on_with_rays, put_rays, FMB_WAY_RAYS},
     [FMB_ENGINE_ELIMINATION] = {"elimination", open_elimination, go_on_with_elimination,
-                                FMB_WAY_PRUNED},
-    [FMB_ENGINE_QUERIES] = {"support queries", open_queries, go_on_with_queries, FMB_WAY_COUNT},
+                                put_elimination, FMB_WAY_PRUNED},
+    [FMB_ENGINE_QUERIES] = {"support queries", open_queries, go_on_with_queries, put_queries,
+                            FMB_WAY_COUNT},
 };
 
 _Static_assert(sizeof ENGINE / sizeof *ENGINE == FMB_ENGINES &&
@@ -278,19 +306,110 @@ static void tell_slice(part_run *r, size_t k, uint64_t slice, fmb_status st)
     fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
 }
 
+static fmb_run *run_of_engine(part_run *r, size_t k)
+{
+    fmb_share *share = k == FMB_ENGINE_QUERIES && r->queries ? fmb_queries_share(r->queries) : NULL;
+    return share ? &share->run : &r->q->run;
+}
+
 /* Go on with an engine for a while, 0: to its end. */
 static fmb_status run_engine(part_run *r, size_t k, uint64_t slice)
 {
-    fmb_run *run = &r->q->run;
-    uint64_t before = run->work;
+    uint64_t before = r->q->run.work;
     fmb_status st = ENGINE[k].open(r);
+    fmb_run *run = run_of_engine(r, k);
     run->slice_end = slice > 0 ? run->work + slice : 0;
-    if (is_open(st, r))
+    r->engine = k;
+    r->begun = is_open(st, r);
+    if (r->begun)
         st = ENGINE[k].go_on(r);
     run->slice_end = 0;
-    r->slices.engine[k].spent += run->work - before;
+    if (run == &r->q->run)
+        r->slices.engine[k].spent += run->work - before;
+    else
+        r->slices.engine[k].spent = run->work;
     r->slices.engine[FMB_ENGINE_RAYS].over |= r->rays && fmb_ray_projection_has_given_up(r->rays);
+    return st;
+}
+
+/* The engine that went on last knows the answer, or has come to a limit. */
+static fmb_status put_out(part_run *r, fmb_status st)
+{
+    fmb_run *run = run_of_engine(r, r->engine);
+    if (r->q->run.stop == FMB_STOP_DONE)
+        r->q->run.stop = run->stop;
+    bool known = st == FMB_OK && r->ready && *r->feasible;
+    return known || (st == FMB_LIMIT && r->begun) ? ENGINE[r->engine].put(r, st) : st;
+}
+
+static fmb_status take_slice(part_run *r, size_t k, uint64_t slice)
+{
+    fmb_status st = put_out(r, run_engine(r, k, slice));
     tell_slice(r, k, slice, st);
+    return st;
+}
+
+/* ---- two at once ----------------------------------------------------------------------------- */
+
+static fmb_status go_on_with_queries_alone(void *run, bool *ready)
+{
+    part_run *r = run;
+    return fmb_queries_run(r->queries, ready);
+}
+
+/* Is there an engine beside queries? */
+static bool has_others(const part_run *r)
+{
+    bool any = false;
+    for (size_t k = 0; k < FMB_ENGINES; k++)
+        any |= k != FMB_ENGINE_QUERIES && !r->slices.engine[k].over;
+    return any;
+}
+
+/* The others in turns. */
+static fmb_status go_on_with_others(void *run, bool *ready)
+{
+    part_run *r = run;
+    fmb_status st = FMB_OK;
+    while (is_open(st, r) && has_others(r) && !fmb_run_is_overtaken(&r->q->run)) {
+        uint64_t slice;
+        size_t k = fmb_slices_next(&r->slices, &slice);
+        st = run_engine(r, k, slice);
+        if (is_open(st, r))
+            tell_slice(r, k, slice, st);
+    }
+    *ready = r->ready;
+    return st;
+}
+
+/* Queries, by another thread, and the other engines. */
+static fmb_status race_queries(part_run *r)
+{
+    fmb_status opened = open_queries(r);
+    if (!is_open(opened, r))
+        return opened;
+    fmb_run *run = &r->q->run;
+    fmb_share *share = fmb_queries_share(r->queries);
+    fmb_slice_engine *queries = &r->slices.engine[FMB_ENGINE_QUERIES];
+    fmb_race race = {.lane = {{.run = run, .go_on = go_on_with_others},
+                              {.run = &share->run, .go_on = go_on_with_queries_alone}},
+                     .self = r};
+    size_t winner, threads = run->threads;
+    queries->over = true;
+    run->threads--;
+    fmb_status st = fmb_race_run(&race, run->mem, &share->mem, &winner);
+    run->threads = threads;
+    queries->spent = share->run.work;
+    if (winner == 1) {
+        r->engine = FMB_ENGINE_QUERIES;
+        r->begun = true;
+        r->ready = race.lane[1].ready;
+        run->stop = share->run.stop; /* what ended the others is no limit of the answer */
+    } else {
+        tell_slice(r, FMB_ENGINE_QUERIES, 0, FMB_OK);
+    }
+    st = put_out(r, st);
+    tell_slice(r, r->engine, 0, st);
     return st;
 }
 
@@ -316,19 +435,34 @@ static bool has_switch(size_t engine)
     return ENGINE[engine].way != FMB_WAY_COUNT;
 }
 
-static fmb_status take_turns(part_run *r, const fmb_choice *c)
+static void expect_work(part_run *r, const fmb_choice *c)
 {
-    fmb_status st = FMB_OK;
     r->slices.engines = FMB_ENGINES;
     for (size_t k = 0; k < FMB_ENGINES; k++) {
         r->slices.engine[k].expected = c->work[k];
         r->slices.engine[k].over =
             isinf(c->work[k]) || (has_switch(k) && !fmb_way((fmb_way_id)ENGINE[k].way));
     }
-    while (is_open(st, r)) {
-        uint64_t slice;
-        size_t k = fmb_slices_next(&r->slices, &slice);
-        st = run_engine(r, k, slice);
+    r->races = r->q->run.threads > 1 && !r->q->session && has_others(r) &&
+               !r->slices.engine[FMB_ENGINE_QUERIES].over;
+}
+
+/* As long as the first engine is expected to end soonest, it has all threads. */
+static bool is_race_on(size_t last, size_t next)
+{
+    return last != FMB_ENGINES && (last == FMB_ENGINE_QUERIES) != (next == FMB_ENGINE_QUERIES);
+}
+
+static fmb_status take_turns(part_run *r, const fmb_choice *c)
+{
+    fmb_status st = FMB_OK;
+    uint64_t slice;
+    expect_work(r, c);
+    for (size_t k, last = FMB_ENGINES; is_open(st, r); last = k) {
+        k = fmb_slices_next(&r->slices, &slice);
+        if (r->races && is_race_on(last, k))
+            return race_queries(r);
+        st = take_slice(r, k, slice);
         if (has_switch(k))
             fmb_way_answered((fmb_way_id)ENGINE[k].way, st == FMB_OK && is_answered(r));
     }
@@ -365,7 +499,7 @@ static fmb_status run_portfolio(part_run *r)
         r->features = fmb_features_of(&r->reduced);
     r->known = r->known || r->features.has_origin;
     if (is_open(st, r) && by_rays)
-        st = run_engine(r, FMB_ENGINE_RAYS, 0);
+        st = take_slice(r, FMB_ENGINE_RAYS, 0);
     if (is_open(st, r) && !by_rays && !r->reduced.rest) /* nothing is left to choose */
         st = try_bounded_elimination(r, 0);
     if (is_open(st, r)) {

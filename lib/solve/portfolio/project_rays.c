@@ -331,12 +331,7 @@ static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done
     if (strict)
         st = exclude_faces(h, feasible, done);
     h->over = !*done;
-    if (st == FMB_OK && *feasible && *done)
-        st = put_all_facets(h);
-    if (st != FMB_OK || !*feasible || !*done)
-        return st;
-    fmb_ray_corners corners = {h->of, &h->image, h->d, h->keeps, h->column, h->keep};
-    return fmb_ray_corners_hand_over(&corners);
+    return st;
 }
 
 fmb_status fmb_ray_projection_open(fmb_reduced_part *of, fmb_ray_projection **out)
@@ -360,21 +355,27 @@ void fmb_ray_projection_close(fmb_ray_projection *h)
     fmb_cone_clear(&h->cone);
 }
 
-fmb_status fmb_ray_projection_run(fmb_ray_projection *h, fmb_system *out, bool *feasible,
-                                  bool *done)
+fmb_status fmb_ray_projection_run(fmb_ray_projection *h, bool *feasible, bool *ready)
+{
+    *feasible = true;
+    *ready = !h->of->rest;
+    if (*ready || h->over)
+        return FMB_OK;
+    fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
+    FMB_THEN(st, fmb_cone_run(&h->cone, 0, ready));
+    *ready &= h->pictured || !fmb_run_is_slice_over(&h->of->q->run);
+    return st == FMB_OK && *ready ? project_rays(h, feasible, ready) : st;
+}
+
+fmb_status fmb_ray_projection_put(fmb_ray_projection *h, fmb_system *out, bool *feasible)
 {
     h->out = out;
-    *feasible = true;
-    *done = !h->of->rest;
     if (!h->of->rest)
         return fmb_irredundant_rows_append(h->of->q, h->of->p, h->of->place, &h->of->e,
                                            h->of->q->decided, out, feasible);
-    if (h->over)
-        return FMB_OK;
-    fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
-    FMB_THEN(st, fmb_cone_run(&h->cone, 0, done));
-    *done &= h->pictured || !fmb_run_is_slice_over(&h->of->q->run);
-    return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
+    fmb_ray_corners corners = {h->of, &h->image, h->d, h->keeps, h->column, h->keep};
+    FMB_TRY(put_all_facets(h));
+    return fmb_ray_corners_hand_over(&corners);
 }
 
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h)

@@ -15,6 +15,9 @@ struct fmb_queries {
     const int *place;
     int *column; /* [n], k of them: of the part, those that are kept */
     size_t k;
+    fmb_run *run; /* the query's, or that of the share */
+    fmb_share share;
+    fmb_oracle *oracle; /* of the share */
     fmb_support s;
     mpz_t *z;        /* [n + 1] scratch: a row of the part */
     fmb_vec row;     /* the same */
@@ -158,7 +161,36 @@ static fmb_status allow_symmetries(fmb_queries *h)
 /* Most projections are done before that. */
 #define FEW_QUERIES 64
 
-fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
+/* The share has no limit of memory of its own: what it holds counts for the query as well. */
+static fmb_status open_share(fmb_queries *h, fmb_oracle **o)
+{
+    fmb_query *q = h->q;
+    fmb_share_begin(&h->share, &q->run, 1);
+    h->share.mem.limit = 0;
+    fmb_mem_enter(&h->share.mem, q->run.mem);
+    h->run = &h->share.run;
+    FMB_TRY(fmb_oracle_new(h->run, &q->program[h->part], &h->oracle));
+    *o = h->oracle;
+    return FMB_OK;
+}
+
+static void close_share(fmb_queries *h)
+{
+    size_t peak = 0;
+    if (h->run == &h->q->run)
+        return;
+    fmb_oracle_free(h->oracle);
+    fmb_mem_leave(&h->share.mem);
+    h->share.run.stop = h->q->run.stop; /* what stopped it has been told */
+    fmb_share_end(&h->share, &h->q->run, &peak);
+}
+
+fmb_share *fmb_queries_share(fmb_queries *h)
+{
+    return h->run == &h->q->run ? NULL : &h->share;
+}
+
+fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, bool apart, fmb_queries **out,
                             bool *feasible)
 {
     fmb_oracle *o;
@@ -168,19 +200,22 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
     if (!h)
         return fmb_mem_status(q->run.mem);
     *h = (fmb_queries){.q = q, .p = &q->parts.part[part], .part = part, .place = place};
+    h->run = &q->run;
     fmb_status st = list_kept_columns(h);
     FMB_THEN(st, fmb_query_oracle(q, part, &o));
+    if (st == FMB_OK && apart)
+        st = open_share(h, &o);
     if (st == FMB_OK && !fmb_oracle_has_solution(o))
         st = fmb_oracle_feasible(o, feasible);
     if (st != FMB_OK || !*feasible)
         return st;
     h->begun = true;
-    st = fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
+    st = fmb_support_init(&h->s, h->run, o, (size_t)h->p->n, h->column, h->k,
                           q->program[part].any_strict, q->claims != NULL);
     FMB_THEN(st, allow_symmetries(h));
     if (fmb_run_is_limited(&q->run))
         fmb_support_want_outer_rows(&h->s, FEW_QUERIES, OUTER_ROWS * h->k);
-    if (st == FMB_OK && q->run.threads > 1 && !q->session)
+    if (st == FMB_OK && q->run.threads > 1 && !q->session && !apart)
         st = fmb_support_hire(&h->s, &q->program[part]);
     return st;
 }
@@ -192,6 +227,7 @@ void fmb_queries_close(fmb_queries *h)
     fmb_mem *mem = h->q->run.mem;
     if (h->begun)
         fmb_support_clear(&h->s);
+    close_share(h);
     fmb_group_clear(&h->group);
     fmb_mem_put(mem, h->column, (size_t)h->p->n, sizeof *h->column);
     fmb_mem_put(mem, h, 1, sizeof *h);
@@ -214,12 +250,25 @@ static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
 
 /* ---- corners --------------------------------------------------------------------------------- */
 
-/* h->s.g, whose last entry is t, with what is above it. */
-static fmb_status hand_over_point(fmb_queries *h, fmb_integers *x, fmb_vec *y)
+/* *x is what *from was, in memory of the query. */
+static fmb_status take_over_integers(fmb_queries *h, fmb_integers *from, fmb_integers *x)
 {
-    fmb_num *num = &h->s.hull.num;
-    fmb_status st = fmb_vec_set_z(y, h->k + 1, h->s.g.z, num->mem);
-    return st == FMB_OK ? fmb_met_points_add(&h->q->met, y, x, num) : st;
+    FMB_TRY(fmb_integers_init(x, from->size, h->q->run.mem));
+    for (size_t j = 0; j < x->size; j++)
+        mpz_swap(x->z[j], from->z[j]);
+    return fmb_integers_settle(x, h->q->run.mem);
+}
+
+/* h->s.g, whose last entry is t, with what is above it, or NULL. */
+static fmb_status hand_over_point(fmb_queries *h, fmb_integers *above, fmb_vec *y)
+{
+    fmb_integers x = {0};
+    fmb_status st = fmb_vec_set_z(y, h->k + 1, h->s.g.z, h->q->run.mem);
+    if (st == FMB_OK && above)
+        st = take_over_integers(h, above, &x);
+    if (st != FMB_OK)
+        fmb_integers_clear(&x, h->q->run.mem);
+    return st == FMB_OK ? fmb_met_points_add(&h->q->met, y, above ? &x : NULL, &h->s.hull.num) : st;
 }
 
 /* All points that were found; and, where some of them have images, all generators of the hull. */
@@ -258,12 +307,14 @@ static fmb_status hand_over_hull(fmb_queries *h)
     return st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE ? FMB_OK : st;
 }
 
-fmb_status fmb_queries_run(fmb_queries *h, fmb_system *out, bool *done)
+fmb_status fmb_queries_run(fmb_queries *h, bool *ready)
 {
-    *done = h->k == 0;
-    fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, 0, done);
-    if (st == FMB_OK ? !*done : st != FMB_LIMIT)
-        return st;
+    *ready = h->k == 0;
+    return *ready ? FMB_OK : fmb_support_ask(&h->s, 0, ready);
+}
+
+fmb_status fmb_queries_put(fmb_queries *h, fmb_system *out, fmb_status st)
+{
     fmb_status put = st == FMB_OK ? hand_over_hull(h) : FMB_OK;
     if (put != FMB_OK)
         return put;
@@ -308,6 +359,8 @@ fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out)
         return FMB_OK;
     if (h->s.ended || !go_on_behind_limit(h->q, &why))
         return keep_what_is_proved(h, out);
+    h->run->stop = h->q->run.stop;
+    h->run->deadline = h->q->run.deadline;
     fmb_status st = ask_on_and_keep(h, out);
     end_as_before(h->q, why);
     return st == FMB_LIMIT ? FMB_OK : st;
@@ -320,7 +373,7 @@ fmb_status fmb_queries_at_limit(fmb_query *q, int part, const int *place, fmb_sy
     fmb_stop why;
     if (!go_on_behind_limit(q, &why))
         return FMB_OK;
-    fmb_status st = fmb_queries_open(q, part, place, &h, &feasible);
+    fmb_status st = fmb_queries_open(q, part, place, false, &h, &feasible);
     if (st == FMB_OK && feasible)
         st = ask_on_and_keep(h, out);
     fmb_queries_close(h);
@@ -332,11 +385,14 @@ fmb_status fmb_queries_at_limit(fmb_query *q, int part, const int *place, fmb_sy
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible)
 {
-    bool done;
+    bool ready;
     fmb_queries *h;
-    fmb_status st = fmb_queries_open(q, part, place, &h, feasible);
-    if (st == FMB_OK && *feasible)
-        st = fmb_queries_run(h, out, &done);
+    fmb_status st = fmb_queries_open(q, part, place, false, &h, feasible);
+    if (st == FMB_OK && *feasible) {
+        st = fmb_queries_run(h, &ready);
+        if (st == FMB_OK || st == FMB_LIMIT)
+            st = fmb_queries_put(h, out, st);
+    }
     fmb_queries_close(h);
     return st;
 }

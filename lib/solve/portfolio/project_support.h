@@ -9,19 +9,23 @@
 typedef struct fmb_queries fmb_queries;
 
 /* On those of the part's variables with place[] >= 0, perhaps none; place outlives it. *feasible
- * false: the part has no solution, and nothing can be asked. In any case fmb_queries_close what is
- * not NULL. Errors: MEMORY, LIMIT, here and below. */
-fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
+ * false: the part has no solution, and nothing can be asked. apart: with a share of the query, and
+ * an oracle, of its own, so that another thread may ask. In any case fmb_queries_close what is not
+ * NULL. Errors: MEMORY, LIMIT, here and below. */
+fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, bool apart, fmb_queries **out,
                             bool *feasible);
+/* The share, or NULL: its work is counted apart. */
+fmb_share *fmb_queries_share(fmb_queries *h);
 /* At a limit that something else has come to: ask on, for the time that was kept or a few queries,
  * unless it is a cancel; and put out what is proved, with points as claims. Errors: MEMORY. Then
  * close it. */
 fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out);
 void fmb_queries_close(fmb_queries *h);
 
-/* Go on until a slice is over. *done: the projection has been appended to out; else nothing, but at
- * a limit (LIMIT) the rows that are proved. */
-fmb_status fmb_queries_run(fmb_queries *h, fmb_system *out, bool *done);
+/* Go on until a slice is over. *ready: the projection is known. */
+fmb_status fmb_queries_run(fmb_queries *h, bool *ready);
+/* Append it to out; or, after LIMIT, which is returned again, the rows that are proved. */
+fmb_status fmb_queries_put(fmb_queries *h, fmb_system *out, fmb_status st);
 
 /* The same by queries of its own, after a limit that came before any; *out may stay as it is.
  * Errors: MEMORY. */
