@@ -4,7 +4,8 @@
  * the sum of the ways there that becomes less; an unknown that gets to its place stays in it. Where
  * nothing makes that sum less, there is no common point. (Dantzig 1955; Bland 1977.)
  *
- * Each step changes adjugate, det and values as point.c does, one column at a time (Edmonds 1967).
+ * Each step puts one column into adjugate, det and values, which stay whole (Edmonds 1967, Systems
+ * of distinct representatives and linear algebra).
  */
 #include "pair/exact_box/exact_walk.h"
 

@@ -316,66 +316,19 @@ void fmb_exact_box_solve_transposed(fmb_exact_box *v, fmb_wide *c, fmb_wide *y)
         fmb_wide_negate(&y[k]);
 }
 
-/* ---- the adjugate ----------------------------------------------------------------------------
- *
- * From the basis of the artificial unknowns, whose P is I, the columns come in one by one. Where a
- * column comes into place k, alpha = adjugate times it, det becomes alpha_k, row k stays, and of
- * every other row i comes (alpha_k row i - alpha_i row k) / det, which is whole again. (Edmonds
- * 1967, Systems of distinct representatives and linear algebra; Bareiss 1968.)
- */
-
-/* alpha; its place, one with the fewest words of those from k on, or -1. */
-static int find_place_of_column(const fmb_exact_box *v, fmb_exact_box_whole *w, int k)
-{
-    int n = v->program->dim, best = -1;
-    const fmb_wide *column[DIM];
-    fmb_exact_box_list_column(v, v->basic[k], column, w->column);
-    for (int i = 0; i < n; i++) {
-        fmb_wide *alpha = &w->fall[i];
-        fmb_exact_box_times_row(w, n, i, column, alpha);
-        if (i >= k && alpha->n > 0 && (best < 0 || alpha->n < w->fall[best].n))
-            best = i;
-    }
-    return best;
-}
-
-static void put_column(int n, fmb_exact_box_whole *w, int k, int place)
-{
-    fmb_wide *alpha = w->fall;
-    for (int j = 0; place != k && j < n; j++)
-        fmb_wide_swap(&w->adjugate[k][j], &w->adjugate[place][j]);
-    if (place != k)
-        fmb_wide_swap(&alpha[k], &alpha[place]);
-    for (int i = 0; i < n; i++)
-        for (int j = 0; i != k && j < n; j++)
-            fmb_exact_box_reduce(&w->adjugate[i][j], &alpha[k], &alpha[i], &w->adjugate[k][j],
-                                 false, &w->det);
-    fmb_wide_copy(&w->det, &alpha[k]);
-}
-
+/* Its rows are det times the prices of unit costs. */
 fmb_exact_box_whole *fmb_exact_box_need_adjugate(fmb_exact_box *v)
 {
     fmb_exact_box_whole *w = v->whole;
-    int n = v->program->dim, place = 0;
-    if (w->adjugate_of == v)
+    const int n = v->program->dim;
+    if (w->adjugate_of == v || fmb_exact_box_need_whole(v)->det.n == 0)
         return w;
     w->adjugate_of = v;
-    w->of = w->of == v ? v : NULL;
-    fmb_wide_set_word(&w->det, 1);
-    for (int i = 0; i < n; i++)
+    for (int k = 0; k < n; k++) {
         for (int j = 0; j < n; j++)
-            fmb_wide_set_word(&w->adjugate[i][j], i == j);
-    for (int k = 0; place >= 0 && k < n; k++) {
-        place = find_place_of_column(v, w, k);
-        if (place >= 0)
-            put_column(n, w, k, place);
-        else
-            fmb_wide_set_word(&w->det, 0);
+            fmb_wide_set_word(&w->fall[j], j == k);
+        fmb_exact_box_solve_transposed(v, w->fall, w->adjugate[k]);
     }
-    for (int k = 0; w->det.minus && k < n; k++)
-        for (int j = 0; j < n; j++)
-            fmb_wide_negate(&w->adjugate[k][j]);
-    w->det.minus = false;
     return w;
 }
 
