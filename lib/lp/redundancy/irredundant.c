@@ -5,17 +5,19 @@
  * which.
  *
  * Theorem. Of rows with a solution z, the others imply a.x <= b if and only if a.x <= b holds where
- * they do and a.x <= b + 1. For if y satisfies the others and a.y > b, so do the points between z
- * and y, and among these are some with b < a.x <= b + 1. (They satisfy strict rows strictly, too,
- * if z does, even where y is of the closure.) So a row is tested with its right side one larger,
- * where a.x has an optimum; there the row is not tight, so it has no part in the proof.
+ * they do and a.x <= b + e, for any e > 0. For if y satisfies the others and a.y > b, so do the
+ * points between z and y, and among these are some with b < a.x <= b + e. (They satisfy strict rows
+ * strictly, too, if z does, even where y is of the closure.) So a row is tested with its right side
+ * larger, where a.x has an optimum; there the row is not tight, so it has no part in the proof.
  */
 #include "lp/redundancy/irredundant.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/arrays.h"
 #include "lp/oracle/oracle.h"
+#include "lp/redundancy/active_set/leading_rows.h"
 #include "num/integers.h"
 #include "num/rationals.h"
 
@@ -289,11 +291,49 @@ static fmb_status take_equalities_of_conflict(fmb_pruner *p)
     return st;
 }
 
-/* All rows that are always tight. In the end the oracle has a point where no other is. */
+/* Rows that some ray from inside hits stay. Nobody is told of a point that breaks such a row. */
+static fmb_status keep_rows_that_are_seen(fmb_pruner *p, fmb_leading_rows *t)
+{
+    bool *hit;
+    if (p->told && p->told->irredundant)
+        return FMB_OK;
+    FMB_TRY(FMB_GET(p->run->mem, hit, p->m));
+    fmb_status st = fmb_leading_rows_shoot(t, hit);
+    for (size_t i = 0, k = 0; st == FMB_OK && i < p->m; i++) {
+        if (p->fate[i] == FMB_FATE_REDUNDANT)
+            continue;
+        p->fate[i] = hit[k++] ? FMB_FATE_KEPT : p->fate[i];
+    }
+    fmb_mem_put(p->run->mem, hit, p->m, sizeof *hit);
+    return st;
+}
+
+/* Is some point strictly inside all rows? Then none is always tight. *room false: not known. */
+static fmb_status look_from_inside(fmb_pruner *p, bool *room)
+{
+    fmb_leading_rows t;
+    *room = false;
+    if (p->equal.m > 0)
+        return FMB_OK;
+    fmb_status st = fmb_leading_rows_open(&t, p->run->mem, p->n, p->m);
+    if (st == FMB_OK) {
+        fmb_leading_rows_measure(&t, p->n, p->m, p->row);
+        for (size_t i = 0; i < p->m; i++)
+            if (p->fate[i] != FMB_FATE_REDUNDANT)
+                fmb_leading_rows_add(&t, p->row[i].v, p->sum);
+        st = fmb_leading_rows_find_inside(&t, p->run, INFINITY, room);
+    }
+    if (st == FMB_OK && *room)
+        st = keep_rows_that_are_seen(p, &t);
+    fmb_leading_rows_close(&t);
+    return st;
+}
+
+/* All rows that are always tight. */
 static fmb_status find_implicit_equalities(fmb_pruner *p)
 {
-    fmb_status st = FMB_OK;
     bool room = false;
+    fmb_status st = FMB_OK;
     while (st == FMB_OK && !room && mark_open_rows(p, true) > 0) {
         st = fmb_oracle_feasible(p->over_all, &room);
         mark_open_rows(p, false);
@@ -305,11 +345,29 @@ static fmb_status find_implicit_equalities(fmb_pruner *p)
 
 /* ---- inequalities ---------------------------------------------------------------------------- */
 
-/* The right side of row i becomes b_i + by. */
-static fmb_status move_right_side(fmb_pruner *p, size_t i, unsigned long by)
+/* Of so many bits are its coefficients. */
+static size_t most_bits_of_coefficients(const fmb_pruner *p, size_t i)
 {
-    fmb_vec_get(p->row[i].v, p->n, p->sum);
-    mpz_add_ui(p->sum, p->sum, by);
+    size_t most = 0;
+    for (size_t j = 0; j < p->n; j++) {
+        size_t bits = fmb_vec_entry_bits(p->row[i].v, j);
+        most = bits > most ? bits : most;
+    }
+    return most;
+}
+
+/* A right side moves by a power of two, which is so many bits shorter than coefficients, or by 1:
+ * doubles, in which the oracle guesses, take it for the same if it moves by much less. */
+#define BITS_BELOW 20
+
+/* The right side of row i becomes as it was, or larger. */
+static fmb_status move_right_side(fmb_pruner *p, size_t i, bool larger)
+{
+    size_t bits = most_bits_of_coefficients(p, i);
+    mpz_set_ui(p->sum, larger);
+    mpz_mul_2exp(p->sum, p->sum, bits > BITS_BELOW ? bits - BITS_BELOW : 0);
+    fmb_vec_get(p->row[i].v, p->n, p->den);
+    mpz_add(p->sum, p->sum, p->den);
     fmb_status st = fmb_program_set_right(&p->all, i, p->sum);
     fmb_oracle_shift_row(p->over_all, i);
     return st;
@@ -367,14 +425,14 @@ static fmb_status test_row(fmb_pruner *p, size_t i)
 {
     int excess = 0;
     bool attained = false;
-    FMB_TRY(move_right_side(p, i, 1));
+    FMB_TRY(move_right_side(p, i, true));
     FMB_TRY(push_row(p, i, &excess));
     if (excess == 0 && p->row[i].rel == FMB_LT)
         FMB_TRY(fmb_oracle_attain(p->over_all, &attained));
     if (excess < 0 || (excess == 0 && !attained))
         return drop_row_with_weights(p, p->over_all, i, NULL);
     FMB_TRY(keep_tested_row(p, i, excess > 0));
-    return move_right_side(p, i, 0);
+    return move_right_side(p, i, false);
 }
 
 /* From the last row to the first, at least one of them. */
@@ -394,6 +452,7 @@ static fmb_status test_undecided_rows(fmb_pruner *p)
 /* All passes but the last one. Without a solution no row is left to be looked at. */
 static fmb_status prepare_pruner(fmb_pruner *p)
 {
+    bool room;
     FMB_TRY(open_pruner(p));
     FMB_TRY(fmb_oracle_feasible(p->over_all, p->feasible));
     if (!*p->feasible)
@@ -401,7 +460,8 @@ static fmb_status prepare_pruner(fmb_pruner *p)
     FMB_TRY(fmb_oracle_point(p->over_all, p->inner));
     FMB_TRY(lock_equalities(p));
     p->left = p->m;
-    return p->as_given ? FMB_OK : find_implicit_equalities(p);
+    FMB_TRY(look_from_inside(p, &room));
+    return room || p->as_given ? FMB_OK : find_implicit_equalities(p);
 }
 
 fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,

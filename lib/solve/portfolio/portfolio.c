@@ -162,8 +162,8 @@ static fmb_status try_recession(part_run *r, const fmb_choice *c)
     part_elimination h = elimination_of_run(r);
     bool recedes;
     fmb_elim *e = &r->reduced.e;
-    fmb_status st = fmb_recession_drop_rows(e, r->reduced.drop, best / SHARE_FOR_RECESSION,
-                                            &r->q->v->arena, &recedes);
+    fmb_status st =
+        fmb_recession_drop_rows(e, r->reduced.drop, best / SHARE_FOR_RECESSION, &recedes);
     if (st == FMB_OK && recedes)
         st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
     tell_attempt(r, "recession direction", 0, st);

@@ -8,33 +8,24 @@
  * long to find out that there is nothing to find.
  *
  * The direction is a point strictly inside the rows with right sides 0
- * (lp/redundancy/active_set/interior_point.h): a glance in doubles, or where that tells nothing and
- * the engines are expected to take long, a search; proved in integers. Of long
- * numbers the leading bits are enough: let b be a / 2^k, rounded towards 0, then each entry of
- * a / 2^k - b is less than 1, and b.z + |z_1| + ... <= 0 proves a.z < 0 where z is not 0. In small
- * systems it may be seen at once, in integers alone: first columns of one sign go, with all rows
- * that name them, one after another; then a perceptron (Rosenblatt 1958) looks for z, by going away
- * from rows that do not go down. If none is left, z is proved.
+ * (lp/redundancy/active_set/leading_rows.h): a glance in doubles, or where that tells nothing and
+ * the engines are expected to take long, a search; proved in integers. In small systems it may be
+ * seen at once, in integers alone: first columns of one sign go, with all rows that name them, one
+ * after another; then a perceptron (Rosenblatt 1958) looks for z, by going away from rows that do
+ * not go down. If none is left, z is proved.
  */
 #include "solve/prepare/recession.h"
 
 #include <string.h>
 
-#include "lp/redundancy/active_set/interior_point.h"
+#include "lp/redundancy/active_set/leading_rows.h"
 #include "system/system_private.h"
 
 /* The rows that name variables that go, in those. */
 typedef struct cone {
     fmb_elim *e;
-    size_t n, m;
-    int *column;     /* [n] of e */
-    fmb_vec *v;      /* [m] */
-    fmb_lp_row *row; /* [m] */
-    bool rough;      /* some rows are leading bits */
+    fmb_leading_rows rows;
 } cone;
-
-/* Entries of more bits are shortened to so many. */
-#define LEADING_BITS 28
 
 static const fmb_derived *live_row_of_cone(const cone *c, size_t i)
 {
@@ -43,84 +34,35 @@ static const fmb_derived *live_row_of_cone(const cone *c, size_t i)
 
 static bool names_column_of_cone(const cone *c, const fmb_derived *r)
 {
-    for (size_t j = 0; j < c->n; j++)
-        if (fmb_vec_sgn(&r->v, (size_t)c->column[j]) != 0)
+    for (size_t j = 0; j < c->rows.n; j++)
+        if (fmb_vec_sgn(&r->v, c->rows.column[j]) != 0)
             return true;
     return false;
 }
 
-static fmb_status list_columns_of_cone(cone *c, const bool *drop, fmb_arena *arena)
+static void list_columns_of_cone(cone *c, const bool *drop)
 {
-    c->column = fmb_arena_get(arena, (size_t)c->e->n, sizeof *c->column);
-    for (int j = 0; c->column && j < c->e->n; j++) {
+    for (int j = 0; j < c->e->n; j++) {
         bool nonzero = false;
         for (size_t i = 0; drop[j] && !nonzero && i < c->e->live.size; i++)
             nonzero = fmb_vec_sgn(&live_row_of_cone(c, i)->v, (size_t)j) != 0;
         if (nonzero)
-            c->column[c->n++] = j;
+            c->rows.column[c->rows.n++] = (size_t)j;
     }
-    return c->column ? FMB_OK : fmb_mem_status(arena->mem);
 }
 
-/* a / 2^down, rounded towards 0. */
-static int64_t leading_bits(const fmb_vec *a, size_t j, size_t down, mpz_t scratch)
+/* False: there are equalities, or no rows. */
+static bool list_rows_of_cone(cone *c)
 {
-    if (!fmb_vec_is_wide(a))
-        return a->s[j] / ((int64_t)1 << down);
-    mpz_tdiv_q_2exp(scratch, a->z[j], down);
-    return mpz_get_si(scratch);
-}
-
-static void add_row_to_cone(cone *c, const fmb_vec *a, int64_t *value, mpz_t scratch)
-{
-    size_t bits = 0;
-    for (size_t j = 0; j < c->n; j++) {
-        size_t mine = fmb_vec_entry_bits(a, (size_t)c->column[j]);
-        bits = mine > bits ? mine : bits;
-    }
-    size_t down = bits > LEADING_BITS ? bits - LEADING_BITS : 0;
-    for (size_t j = 0; j < c->n; j++)
-        value[j] = leading_bits(a, (size_t)c->column[j], down, scratch);
-    value[c->n] = 0;
-    c->v[c->m] = (fmb_vec){.s = value, .bits = (int)(bits - down)};
-    c->row[c->m] = (fmb_lp_row){&c->v[c->m], FMB_LE};
-    c->rough |= down > 0;
-    c->m++;
-}
-
-/* *possible false: there are equalities. */
-static fmb_status list_rows_of_cone(cone *c, fmb_arena *arena, bool *possible)
-{
-    size_t rows = c->e->live.size, size = c->n + 1;
-    FMB_TRY(FMB_ARENA_GET(arena, c->v, rows));
-    FMB_TRY(FMB_ARENA_GET(arena, c->row, rows));
-    int64_t *value;
-    FMB_TRY(FMB_ARENA_GET(arena, value, rows * size));
-    *possible = c->n > 0;
-    for (size_t i = 0; *possible && i < rows; i++) {
+    bool possible = c->rows.n > 0;
+    for (size_t i = 0; possible && i < c->e->live.size; i++) {
         const fmb_derived *r = live_row_of_cone(c, i);
         if (!names_column_of_cone(c, r))
             continue;
-        *possible = !r->equality;
-        if (*possible)
-            add_row_to_cone(c, &r->v, &value[c->m * size], c->e->num.t);
+        possible = !r->equality;
+        fmb_leading_rows_add(&c->rows, &r->v, c->e->num.t);
     }
-    return FMB_OK;
-}
-
-static fmb_status look_for_direction(const cone *c, double patience, bool *found)
-{
-    fmb_interior_point p;
-    bool possible;
-    fmb_status st = fmb_interior_point_open(&p, c->e->run, c->n, c->m, c->row, &possible);
-    if (st == FMB_OK && possible)
-        st = fmb_interior_point_find_quickly(&p, found);
-    if (st == FMB_OK && possible && !*found && fmb_interior_point_most_work(&p) <= patience)
-        st = fmb_interior_point_find(&p, found);
-    for (size_t i = 0; *found && c->rough && i < c->m; i++)
-        *found = fmb_interior_point_sees_near_rows(&p, i);
-    fmb_interior_point_clear(&p);
-    return st;
+    return possible;
 }
 
 static void leave_rows_behind(cone *c)
@@ -132,18 +74,19 @@ static void leave_rows_behind(cone *c)
     c->e->live.size = left;
 }
 
-fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, double patience, fmb_arena *arena,
-                                   bool *recedes)
+fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, double patience, bool *recedes)
 {
     cone c = {.e = e};
-    bool possible = false;
     *recedes = false;
-    fmb_status st = list_columns_of_cone(&c, drop, arena);
-    FMB_THEN(st, list_rows_of_cone(&c, arena, &possible));
-    if (st == FMB_OK && possible)
-        st = look_for_direction(&c, patience, recedes);
+    fmb_status st = fmb_leading_rows_open(&c.rows, e->run->mem, (size_t)e->n, e->live.size);
+    if (st == FMB_OK) {
+        list_columns_of_cone(&c, drop);
+        if (list_rows_of_cone(&c))
+            st = fmb_leading_rows_find_inside(&c.rows, e->run, patience, recedes);
+    }
     if (st == FMB_OK && *recedes)
         leave_rows_behind(&c);
+    fmb_leading_rows_close(&c.rows);
     return st;
 }
 

@@ -173,14 +173,24 @@ double fmb_interior_point_most_work(const fmb_interior_point *p)
     return MARGINS * (double)steps_of_search(p) * (entries / 4 + (double)p->m + (double)p->n);
 }
 
-/* The slack of row a + d is the one of a, less UNIT d.x, where |d.x| < |x_1| + ... unless x is 0.
- * The coordinates are multiples of 1 / UNIT: there is no rounding. */
-bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, size_t i)
+/* The slack of row a + d is the one of a, less UNIT d.x, where |d.x| < |x_1| + ... unless x is 0;
+ * and less UNIT and less where the right side differs, too. The coordinates are multiples of
+ * 1 / UNIT: there is no rounding. */
+static int64_t slack_between_near_rows(const fmb_interior_point *p, bool near_right)
 {
-    double size = 0;
+    double size = near_right ? 1 : 0;
     for (size_t j = 0; j < p->n; j++)
         size += fabs(p->x[j]);
-    return (double)p->slack[i] >= UNIT * size;
+    return (int64_t)(UNIT * size);
+}
+
+bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, bool near_right)
+{
+    int64_t least = slack_between_near_rows(p, near_right);
+    for (size_t i = 0; i < p->m; i++)
+        if (p->slack[i] < least)
+            return false;
+    return true;
 }
 
 void fmb_interior_point_clear(fmb_interior_point *p)
@@ -188,20 +198,22 @@ void fmb_interior_point_clear(fmb_interior_point *p)
     (void)hold_arrays_of_point(p, false);
 }
 
-/* How fast the ray comes to each row; false if it goes nowhere. */
-static bool find_speeds_of_ray(const fmb_interior_point *p, const double *way, double *speed)
+/* How fast the ray comes to each row, and its own speed, |d_1| + |d_2| + ...; 0: it goes nowhere.
+ */
+static double find_speeds_of_ray(const fmb_interior_point *p, const double *way, double *speed)
 {
-    double most = 0;
+    double most = 0, own = 0;
     for (size_t j = 0; j < p->n; j++)
         most = fabs(way[j]) > most ? fabs(way[j]) : most;
     if (!(most > 0 && most < HUGE_VAL))
-        return false;
+        return 0;
     memset(speed, 0, p->m * sizeof *speed);
     for (size_t j = 0; j < p->n; j++) {
         double step = nearbyint(way[j] / most * ((1 << WAY_BITS) - 1));
+        own += fabs(step);
         p->run->kernels->accumulate(speed, &p->entry[j * p->m], p->m, step);
     }
-    return true;
+    return own;
 }
 
 size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, const bool *gone,
@@ -210,7 +222,7 @@ size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, 
     size_t first = SIZE_MAX;
     int64_t slack = 1, fast = 0; /* of the first; none: slack / fast is infinite */
     bool tie = false;
-    if (!find_speeds_of_ray(p, way, speed))
+    if (find_speeds_of_ray(p, way, speed) == 0)
         return SIZE_MAX;
     for (size_t i = 0; i < p->m; i++) {
         if (gone[i] || speed[i] <= 0)
@@ -226,4 +238,36 @@ size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, 
         }
     }
     return tie ? SIZE_MAX : first;
+}
+
+static size_t guess_first_row(const fmb_interior_point *p, const double *speed)
+{
+    size_t first = SIZE_MAX;
+    double soonest = HUGE_VAL;
+    for (size_t i = 0; i < p->m; i++)
+        if (speed[i] > 0 && (double)p->slack[i] < soonest * speed[i]) {
+            soonest = (double)p->slack[i] / speed[i];
+            first = i;
+        }
+    return first;
+}
+
+/* Along d the speed towards row a + c differs by less than |d_1| + ... from that towards a. */
+size_t fmb_interior_point_shoot_at_near_rows(const fmb_interior_point *p, const double *way,
+                                             double *speed, bool near_right)
+{
+    int64_t own = (int64_t)find_speeds_of_ray(p, way, speed);
+    int64_t near = slack_between_near_rows(p, near_right);
+    size_t first = own > 0 ? guess_first_row(p, speed) : SIZE_MAX;
+    int64_t least_speed = first < SIZE_MAX ? (int64_t)speed[first] - own : 0;
+    if (least_speed <= 0)
+        return SIZE_MAX;
+    for (size_t i = 0; i < p->m; i++) {
+        int64_t fast = (int64_t)speed[i] + own;
+        if (i != first && fast > 0 &&
+            fmb_i128_compare(fmb_i128_product(p->slack[first] + near, fast),
+                             fmb_i128_product(p->slack[i] - near, least_speed)) >= 0)
+            return SIZE_MAX;
+    }
+    return first;
 }

@@ -26,9 +26,13 @@ fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found);
 fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found);
 /* Work (trace/run.h) that a search takes which is no glance, at most. */
 double fmb_interior_point_most_work(const fmb_interior_point *p);
-/* Is the point found strictly inside every row whose coefficients differ by less than 1 each from
- * those of row i, and whose right side is that of row i? False: that is not certain. */
-bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, size_t i);
+/* Rows near those: coefficients differ by less than 1 each, and right sides do so, too, or are the
+ * same. Is the point found strictly inside all of such? False: that is not certain. */
+bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, bool near_right);
+/* The row that a ray in direction way[n] (roughly) meets before any other, whatever rows near those
+ * are meant, which see the point. SIZE_MAX: not certain. speed[m]: scratch. */
+size_t fmb_interior_point_shoot_at_near_rows(const fmb_interior_point *p, const double *way,
+                                             double *speed, bool near_right);
 void fmb_interior_point_clear(fmb_interior_point *p);
 /* The row among those not gone that a ray from the point in direction way[n] (roughly) meets before
  * any other: it is irredundant. SIZE_MAX: it meets several at once, or none. speed[m]: scratch.
