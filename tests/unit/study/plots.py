@@ -1,5 +1,6 @@
 """fmb-qualify plots: figures, table and page of an experiment, and mistakes. The Python in front may lack what draws.
-usage: plots.py FMB_QUALIFY"""
+With "every": drawn twice, the same bytes.
+usage: plots.py FMB_QUALIFY [every]"""
 
 import csv
 import json
@@ -11,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-qualify = sys.argv[1]
+qualify, every = sys.argv[1], sys.argv[2:] == ["every"]
 PLAN = {"rules": ["none", "kohler", "kohler,box"], "methods": ["fm", "dd"], "families": ["dense", "frames-moving", "schedule"],
         "sizes": [1, 2], "seeds": [1, 2], "passes": 1, "limits": {"rows": 100, "seconds": 20}}
 FIGURES = "cactus profile-time profile-rows critical-time critical-rows rounds growth heat".split()
@@ -96,9 +97,11 @@ with tempfile.TemporaryDirectory() as name:
     with open(home / "runs.csv", encoding="utf-8", newline="") as f:
         decided = sum(line["rules"] == "kohler" and line["outcome"] == "decided" for line in csv.DictReader(f))
     expect(f"kohler & {decided} &" in (home / "figures" / "table.tex").read_text(), "table.tex counts otherwise")
-    first = (home / "figures" / "heat.svg").read_bytes()
-    run("plots", home / "runs.csv", "-o", home / "figures")
-    expect((home / "figures" / "heat.svg").read_bytes() == first, "other bytes from the same CSV")
+    if every:
+        run("plots", home / "runs.csv", "-o", home / "again")
+        for figure in FIGURES:
+            one, two = ((home / folder / f"{figure}.svg").read_bytes() for folder in ("figures", "again"))
+            expect(one == two, f"{figure}: other bytes from the same CSV")
     expect(run("plots", home / "missing.csv").returncode == 66, "no CSV")
     leaderboard(decided)
 print("\n".join(faults) or "plots: no faults")
