@@ -67,8 +67,9 @@ static const app_usage usage = {
            "and --eliminate the file itself must ask for a projection (a "
            "project or eliminate line in .ine, project: in .fmb). The projection of an infeasible "
            "system is the row "
-           "0 <= -1. Symmetries save work where they are found, or told: --symmetry FILE has lines "
-           "such as x y z <> y z x, permutations of variables that take rows to rows."
+           "0 <= -1. Symmetries may save work where they are told: --symmetry FILE has lines such "
+           "as x y z <> y z x, permutations of variables that take rows to rows; --classes "
+           "looks for them."
            "\v"
            "Exit codes: 0 done, 1 infeasible, 2 undecided: rows that follow, perhaps too few.\n"
            "\n"
@@ -126,6 +127,8 @@ static int find_symmetries(app_session *s, task *t)
     if (t->symmetries || s->ask->options.symmetry == FMB_SYMMETRY_NONE)
         return APP_YES;
     fmb_status st = fmb_symmetries_find(s->solver, s->system, t->vars, t->n, &t->symmetries, NULL);
+    if (st == FMB_OK && t->symmetries)
+        st = fmb_solver_set_symmetries(s->solver, t->symmetries);
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }
 
@@ -152,10 +155,8 @@ static int report(app_session *s, const request *r, task *t, const fmb_system *p
     if (!r->classes)
         return app_projection_report(s, projection,
                                      r->to ? r->to : app_source_written(&s->ask->source));
-    if (r->classes_file)
-        return report_classes_of_file(s, r, projection);
-    int code = find_symmetries(s, t);
-    return code == APP_YES ? app_classes_report(s, projection, t->symmetries, t->vars, t->n) : code;
+    return r->classes_file ? report_classes_of_file(s, r, projection)
+                           : app_classes_report(s, projection, t->symmetries, t->vars, t->n);
 }
 
 int cmd_project(int argc, char **argv)
@@ -178,6 +179,10 @@ int cmd_project(int argc, char **argv)
     if (code == 0) {
         app_integers_note(&s);
         app_session_begin(&s);
+    }
+    if (code == 0 && r.classes && !r.classes_file)
+        code = find_symmetries(&s, &t);
+    if (code == 0) {
         fmb_status st = fmb_project(s.solver, s.system, t.vars, t.n, &projection, &s.result);
         code = app_session_end(&s, st);
     }

@@ -55,8 +55,8 @@ typedef enum fmb_simd {
 /* Symmetries of a system: permutations of its variables, and of rows with them, that leave it what
  * it is. */
 typedef enum fmb_symmetries {
-    FMB_SYMMETRY_AUTO = 0, /* fmb_project looks for them where it asks support queries for a while
-                              (where nauty is installed), and asks one for each orbit */
+    FMB_SYMMETRY_AUTO = 0, /* of those that are given (<fmb/symmetry.h>), support queries of
+                              fmb_project ask about one facet for each orbit */
     FMB_SYMMETRY_NONE
 } fmb_symmetries;
 
@@ -87,11 +87,11 @@ typedef struct fmb_options {
                                    (<fmb/base.h>); a reduced system counts from the start, as much
                                    as the whole one, and is given out even so; 0 = no limit */
     size_t threads;             /* for the ends of a box, rows that may be redundant, support
-                                   queries and rays, and two ways to a projection at once; 0 or 1: the caller's alone. With more the
-                                   allocator (<fmb/base.h>) must be safe for threads. Answers are
-                                   the same for any number; proofs may differ from those of one */
-    fmb_symmetries symmetry;    /* use of symmetries; answers are the same. Others may be given in
-                                   place of those that are found: <fmb/symmetry.h> */
+                                   queries and rays, and two ways to a projection at once; 0 or 1:
+                                   the caller's alone. With more the allocator (<fmb/base.h>) must
+                                   be safe for threads. Answers are the same for any number; proofs
+                                   may differ from those of one */
+    fmb_symmetries symmetry;    /* use of symmetries that are given; answers are the same */
 } fmb_options;
 
 /* Why fmb_solver_new refuses these options, in one line: "max_seconds is -1", "" where it does not.

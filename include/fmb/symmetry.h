@@ -36,8 +36,8 @@ FMB_API size_t fmb_permutations_size(const fmb_permutations *p);
 /* Where the i-th takes variable j; -1 where there is none. */
 FMB_API int fmb_permutations_image(const fmb_permutations *p, size_t i, int j);
 
-/* From now on fmb_project uses these in place of symmetries that it looks for, unless
- * options.symmetry is NONE; NULL: it looks for them again. They are copied. They are checked in
+/* From now on fmb_project uses these, unless options.symmetry is NONE; NULL: none again. They are
+ * copied. They are checked in
  * each query: one that is no symmetry of its system and kept set is FMB_ERR_ARG, and
  * fmb_solver_trouble says which and why. Errors: ARG (v is NULL), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_solver_set_symmetries(fmb_solver *v, const fmb_permutations *p);

@@ -27,8 +27,6 @@
     WAY(RAYS, "rays", "", "projections: double description within a budget")                       \
     WAY(KNOWN, "known rows", "hull/support/support_known",                                         \
         "support queries: facets that are rows of the system")                                     \
-    WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                     \
-        "support queries: one facet of each orbit")                                                \
     WAY(LATTICE, "rounding to a lattice", "lp/oracle/lattice_point",                               \
         "oracle: solutions of short numbers by rounding")                                          \
     WAY(REFINED_FARKAS, "Farkas by refinement", "lp/oracle/refined_farkas",                        \

@@ -61,9 +61,7 @@ typedef struct fmb_support {
     fmb_run *run;
     fmb_support_worker worker;
     fmb_support_workers *workers; /* or NULL */
-    const fmb_program *program;   /* whose symmetries may be used, or NULL */
-    fmb_group *given;             /* these; NULL: those that are found */
-    fmb_symmetry *symmetry;       /* NULL: not looked for yet */
+    fmb_symmetry *symmetry;       /* of the program, or NULL */
     size_t n, k;                  /* columns; those that are kept, */
     const int *kept;              /* [k], increasing */
     bool strict;                  /* some row of the program is strict */
@@ -96,11 +94,9 @@ void fmb_support_clear(fmb_support *s);
  * threads, but perhaps in another order than by one alone. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p);
 
-/* Symmetries of p, the program, may be looked for and used. */
-static inline void fmb_support_allow_symmetry(fmb_support *s, const fmb_program *p)
-{
-    s->program = p;
-}
+/* These are symmetries of the program that keep the kept columns; before anything is asked. The
+ * group goes over to here, whatever the status. Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_use_symmetry(fmb_support *s, fmb_group *group);
 
 /* All columns are kept, and no proofs are wanted: a facet that is a row of p, the program, stands
  * without a query, and is not told. p has no strict rows. Errors: MEMORY, LIMIT. */

@@ -123,9 +123,6 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
 {
     const fmb_facets *f = &s->hull;
     FMB_TRY(fmb_run_poll_now(s->run));
-    if (s->program && !s->symmetry && (s->k > 2 || s->given) && has_asked_a_while(s) &&
-        fmb_way(FMB_WAY_SYMMETRY))
-        FMB_TRY(fmb_support_find_symmetry(s));
     if (s->outer_most > 0 && s->ends_asked < 2 * s->k)
         return fmb_support_ask_about_end(s);
     if (s->equations < f->d - f->rank)

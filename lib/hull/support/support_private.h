@@ -58,8 +58,7 @@ size_t fmb_support_find_open_facet(fmb_support *s, const fmb_support_near *near)
 
 /* Workers, and facets that are asked about at once. */
 #define FMB_SUPPORT_WORKERS 8
-/* For so many rows and generators, oracles that begin anew would cost more than they save; nor are
- * symmetries looked for. */
+/* For so many rows and generators, oracles that begin anew would cost more than they save. */
 #define FMB_QUERIES_ALONE 32
 
 /* Ask about some open facets, and take in what was seen before. *done: there was neither. There are
@@ -69,9 +68,7 @@ void fmb_support_dismiss(fmb_support *s);
 
 /* ---- support_symmetry.c ---------------------------------------------------------------------- */
 
-/* Look for symmetries, and use them on what there is. Errors: MEMORY, LIMIT, as below. */
-fmb_status fmb_support_find_symmetry(fmb_support *s);
-/* Were some found? */
+/* Errors: MEMORY, LIMIT, here and below. */
 bool fmb_support_is_symmetric(const fmb_support *s);
 void fmb_support_forget_symmetry(fmb_support *s);
 /* The hull has grown by its last generator: take in its images. */

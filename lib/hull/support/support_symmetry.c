@@ -4,7 +4,7 @@
  * points, rows to rows, and what proves a row to what proves its image (symmetry/group.h). So all
  * images of a point that was found are taken in, and a facet whose row is the image of one that is
  * proved stands without a query. Images are proved like any other row: who checks them need not
- * know of symmetries. Symmetries are looked for when a few queries have not been enough.
+ * know of symmetries.
  */
 #include "hull/support/support_private.h"
 #include "symmetry/orbits.h"
@@ -30,7 +30,7 @@ static fmb_status take_images_of_point(fmb_support *s, const fmb_vec *v)
 
 bool fmb_support_is_symmetric(const fmb_support *s)
 {
-    return s->symmetry && s->symmetry->group.size > 0;
+    return s->symmetry != NULL;
 }
 
 fmb_status fmb_support_take_images(fmb_support *s)
@@ -90,70 +90,18 @@ fmb_status fmb_support_keep_images(fmb_support *s)
     return FMB_OK;
 }
 
-/* ---- the search ------------------------------------------------------------------------------ */
+/* ---- life ------------------------------------------------------------------------------------ */
 
-/* Those that were given, which go over to here; or those that are found. */
-static fmb_status find_group(fmb_support *s)
+fmb_status fmb_support_use_symmetry(fmb_support *s, fmb_group *group)
 {
-    if (s->given) {
-        s->symmetry->group = *s->given;
-        *s->given = (fmb_group){0};
-        return FMB_OK;
-    }
-    bool *keeps;
-    FMB_TRY(FMB_GET_ZERO(s->run->mem, keeps, s->n));
-    for (size_t j = 0; j < s->k; j++)
-        keeps[s->kept[j]] = true;
-    fmb_status st = fmb_symmetry_find(s->run, s->program, keeps, &s->symmetry->group);
-    fmb_mem_put(s->run->mem, keeps, s->n, sizeof *keeps);
-    return st;
-}
-
-/* The generators that the hull has. */
-static fmb_status take_images_of_all_points(fmb_support *s)
-{
-    size_t size = s->hull.generators;
-    for (size_t i = 0; i < size; i++)
-        FMB_TRY(take_images_of_point(s, &s->hull.generator[i]));
-    return FMB_OK;
-}
-
-/* The facets that stand; row i is no equality, and a.x <= b has the normal (b, -a). */
-static fmb_status note_images_of_row(fmb_support *s, size_t i, fmb_vec *normal)
-{
-    const fmb_support_row *r = &s->row[i];
-    mpz_set(s->g.z[0], r->z.z[s->k]);
-    for (size_t j = 0; j < s->k; j++)
-        mpz_neg(s->g.z[j + 1], r->z.z[j]);
-    FMB_TRY(fmb_vec_set_z(normal, s->k + 1, s->g.z, s->run->mem));
-    return fmb_orbits_add(&s->symmetry->rows, normal, i);
-}
-
-static fmb_status note_images_of_all_rows(fmb_support *s)
-{
-    fmb_mem *mem = s->run->mem;
-    fmb_vec normal = {.s = fmb_mem_get(mem, s->k + 1, sizeof *normal.s)};
-    fmb_status st = normal.s ? FMB_OK : fmb_mem_status(mem);
-    for (size_t i = 0; st == FMB_OK && i < s->rows; i++)
-        if (s->row[i].rel != FMB_EQ)
-            st = note_images_of_row(s, i, &normal);
-    fmb_vec_clear(&normal, s->k + 1, mem);
-    fmb_mem_put(mem, normal.s, s->k + 1, sizeof *normal.s);
-    return st;
-}
-
-fmb_status fmb_support_find_symmetry(fmb_support *s)
-{
-    fmb_symmetry *y;
-    FMB_TRY(FMB_GET_ZERO(s->run->mem, y, 1));
+    fmb_symmetry *y = fmb_mem_zero(s->run->mem, 1, sizeof *y);
+    if (!y)
+        return fmb_mem_status(s->run->mem);
     s->symmetry = y;
-    FMB_TRY(find_group(s));
-    if (y->group.size == 0)
-        return FMB_OK;
+    y->group = *group;
+    *group = (fmb_group){0};
     FMB_TRY(fmb_orbits_init(&y->points, s->run, &y->group, s->kept, s->k));
-    FMB_TRY(fmb_orbits_init(&y->rows, s->run, &y->group, s->kept, s->k));
-    FMB_TRY(note_images_of_all_rows(s));
-    return take_images_of_all_points(s);
+    return fmb_orbits_init(&y->rows, s->run, &y->group, s->kept, s->k);
 }
 
 void fmb_support_forget_symmetry(fmb_support *s)

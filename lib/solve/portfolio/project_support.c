@@ -19,10 +19,9 @@ struct fmb_queries {
     fmb_share share;
     fmb_oracle *oracle; /* of the share */
     fmb_support s;
-    mpz_t *z;        /* [n + 1] scratch: a row of the part */
-    fmb_vec row;     /* the same */
-    bool begun;      /* there is an s */
-    fmb_group group; /* symmetries that were given */
+    mpz_t *z;    /* [n + 1] scratch: a row of the part */
+    fmb_vec row; /* the same */
+    bool begun;  /* there is an s */
 };
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -142,17 +141,18 @@ static fmb_status list_kept_columns(fmb_queries *h)
     return FMB_OK;
 }
 
-/* Those that were given, or any that are found. */
-static fmb_status allow_symmetries(fmb_queries *h)
+/* Those that were given. */
+static fmb_status use_symmetries(fmb_queries *h)
 {
     fmb_query *q = h->q;
-    if (q->session || q->v->options.symmetry != FMB_SYMMETRY_AUTO)
+    fmb_group group = {0};
+    if (q->session || q->v->options.symmetry != FMB_SYMMETRY_AUTO || !q->v->moved)
         return FMB_OK;
-    fmb_support_allow_symmetry(&h->s, &q->program[h->part]);
-    if (!q->v->moved)
-        return FMB_OK;
-    h->s.given = &h->group;
-    return fmb_symmetries_of_part(q, h->part, h->column, h->k, &h->group);
+    fmb_status st = fmb_symmetries_of_part(q, h->part, h->column, h->k, &group);
+    if (st == FMB_OK && group.size > 0)
+        st = fmb_support_use_symmetry(&h->s, &group);
+    fmb_group_clear(&group);
+    return st;
 }
 
 /* Of each coordinate that is kept, so many rows that are no facets, where there is a limit: after
@@ -212,7 +212,7 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, bool apart
     h->begun = true;
     st = fmb_support_init(&h->s, h->run, o, (size_t)h->p->n, h->column, h->k,
                           q->program[part].any_strict, q->claims != NULL);
-    FMB_THEN(st, allow_symmetries(h));
+    FMB_THEN(st, use_symmetries(h));
     if (fmb_run_is_limited(&q->run))
         fmb_support_want_outer_rows(&h->s, FEW_QUERIES, OUTER_ROWS * h->k);
     if (st == FMB_OK && q->run.threads > 1 && !q->session && !apart)
@@ -228,7 +228,6 @@ void fmb_queries_close(fmb_queries *h)
     if (h->begun)
         fmb_support_clear(&h->s);
     close_share(h);
-    fmb_group_clear(&h->group);
     fmb_mem_put(mem, h->column, (size_t)h->p->n, sizeof *h->column);
     fmb_mem_put(mem, h, 1, sizeof *h);
 }

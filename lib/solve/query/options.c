@@ -55,7 +55,7 @@ static const entry TABLE[] = {
     OPTION(COUNT, threads, NULL, "THREADS", "0",
            "Threads for ends of a box, redundant rows, support queries and rays; 0 is one."),
     OPTION(WORD, symmetry, SYMMETRY, "auto|none", "auto",
-           "Support queries for one facet of those that symmetries move."),
+           "Support queries for one facet of those that given symmetries move."),
 };
 
 const fmb_option_info *fmb_options_describe(size_t i)

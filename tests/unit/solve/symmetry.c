@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <fmb/symmetry.h>
+
 #include "canceller.h"
 #include "counted_clock.h"
 #include "property/random/agree.h"
@@ -35,6 +37,16 @@ static fmb_system *with_planted_symmetry(support_rng *g)
     return s;
 }
 
+/* Symmetries are looked for, and used unless the solver's options say no. */
+static void find_and_use(fmb_solver *v, const fmb_system *s)
+{
+    static const int keep[KEPT] = {0, 1, 2, 3};
+    fmb_permutations *p = NULL;
+    must(fmb_symmetries_find(v, s, keep, KEPT, &p, NULL));
+    must(fmb_solver_set_symmetries(v, p));
+    fmb_permutations_free(p);
+}
+
 /* [give] The projection as text; within so many readings of a counted clock, or, 0, all of it. */
 static char *project_with(const fmb_system *s, fmb_symmetries symmetry, size_t threads,
                           size_t seconds, uint64_t *queries)
@@ -54,6 +66,7 @@ static char *project_with(const fmb_system *s, fmb_symmetries symmetry, size_t t
     o.max_seconds = seconds > 0 ? (double)seconds : COUNTED_FOREVER;
     o.method = FMB_METHOD_HULL;
     must(fmb_solver_new(&o, NULL, &v));
+    find_and_use(v, s);
     counted_clock_start(0, NULL, NULL);
     must(fmb_project(v, s, keep, KEPT, &p, &r));
     counted_clock_stop();
@@ -134,6 +147,7 @@ Test(symmetry, cancelled_at_any_event)
     size_t rows = 0, cancelled = 0;
     o.method = FMB_METHOD_HULL;
     must(fmb_solver_new(&o, NULL, &c.v));
+    find_and_use(c.v, s);
     fmb_solver_set_sink(c.v, (fmb_sink){cancel_at_event, &c});
     for (int k = -1; k < 400; k = k < 40 ? k + 1 : k + 23) {
         fmb_result r = {.size = sizeof r};
