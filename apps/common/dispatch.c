@@ -49,7 +49,7 @@ static const char *hint_at_command(const app_program *p, const char *word, char 
 }
 
 /* Sees a command line without a command: what is left is help, or a mistake. */
-static error_t parse_command(int key, char *arg, struct argp_state *state)
+static error_t parse(int key, char *arg, struct argp_state *state)
 {
     const app_program *p = state->input;
     char hint[APP_HINT_SIZE];
@@ -123,7 +123,7 @@ static char *mistaken_command(const app_program *p, int argc, char **argv)
 static int explain(const app_program *p, int argc, char **argv)
 {
     const struct argp whole = {
-        .parser = parse_command, .args_doc = p->args, .doc = p->doc, .help_filter = help_text};
+        .parser = parse, .args_doc = p->args, .doc = p->doc, .help_filter = help_text};
     char *word = mistaken_command(p, argc, argv), *line[] = {p->name, word, NULL};
     bool about = false;
     for (int i = 1; i < argc; i++)

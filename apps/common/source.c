@@ -23,7 +23,7 @@ static const struct argp_option source_options[] = {
     {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 1},
     {0}};
 
-static error_t parse_source(int key, char *arg, struct argp_state *state)
+static error_t parse(int key, char *arg, struct argp_state *state)
 {
     app_source *src = state->input;
     switch (key) {
@@ -51,7 +51,7 @@ static error_t parse_source(int key, char *arg, struct argp_state *state)
     }
 }
 
-const struct argp app_source_argp = {.options = source_options, .parser = parse_source};
+const struct argp app_source_argp = {.options = source_options, .parser = parse};
 
 app_kind (*app_source_kind)(const char *path);
 
