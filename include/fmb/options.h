@@ -86,11 +86,11 @@ typedef struct fmb_options {
     size_t max_bytes;           /* the sum of workspace, evidence and results [bytes], limbs too
                                    (<fmb/base.h>); a reduced system counts from the start, as much
                                    as the whole one, and is given out even so; 0 = no limit */
-    size_t threads;             /* for the ends of a box, rows that may be redundant, support
-                                   queries and rays, and two ways to a projection at once; 0 or 1:
-                                   the caller's alone. With more the allocator (<fmb/base.h>) must
-                                   be safe for threads. Answers are the same for any number; proofs
-                                   may differ from those of one */
+    size_t threads;             /* for the ends of a box, rows that may be redundant, rays, and two
+                                   ways to a projection at once; 0 or 1: the caller's alone. With
+                                   more the allocator (<fmb/base.h>) must be safe for threads.
+                                   Answers are the same for any number; proofs may differ from those
+                                   of one */
     fmb_symmetries symmetry;    /* use of symmetries that are given; answers are the same */
 } fmb_options;
 

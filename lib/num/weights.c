@@ -11,13 +11,6 @@ fmb_status fmb_weights_add(fmb_weights *w, uint32_t row, const mpq_t value, fmb_
     return FMB_OK;
 }
 
-fmb_status fmb_weights_append(fmb_weights *w, const fmb_weights *from, fmb_mem *mem)
-{
-    for (size_t i = 0; i < from->size; i++)
-        FMB_TRY(fmb_weights_add(w, from->index[i], from->value[i], mem));
-    return FMB_OK;
-}
-
 void fmb_weights_clear(fmb_weights *w, fmb_mem *mem)
 {
     for (size_t i = 0; i < w->size; i++)

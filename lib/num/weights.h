@@ -14,8 +14,6 @@ typedef struct fmb_weights {
 
 /* Append (row, value); value is copied. Errors: MEMORY, LIMIT. */
 fmb_status fmb_weights_add(fmb_weights *w, uint32_t row, const mpq_t value, fmb_mem *mem);
-/* Append all of `from`. Errors: MEMORY, LIMIT. */
-fmb_status fmb_weights_append(fmb_weights *w, const fmb_weights *from, fmb_mem *mem);
 void fmb_weights_clear(fmb_weights *w, fmb_mem *mem);
 
 #endif

@@ -106,18 +106,6 @@ fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at);
 /* Those of all facets, by as many threads as the run has. Errors: MEMORY, LIMIT. */
 fmb_status fmb_facets_need_all_normals(fmb_facets *f);
 
-/* For threads that look at facets while one of them lets the hull grow. What *f is at the moment
- * may be copied, and its generators read in that copy as long as no more than `more` come. Errors:
- * MEMORY, LIMIT, as below. */
-fmb_status fmb_facets_reserve(fmb_facets *f, size_t more);
-/* A facet's normal, and what is on it, into a copy of any facet, or a zeroed one; in the end, in
- * any case, fmb_facets_clear_copy it. */
-fmb_status fmb_facets_copy(const fmb_facets *f, size_t at, fmb_facet *to, fmb_mem *mem);
-void fmb_facets_clear_copy(const fmb_facets *f, fmb_facet *copy, fmb_mem *mem);
-/* Make the copy's normal known, in the memory of num; then the facet's own, where it is not. */
-fmb_status fmb_facets_copy_need_normal(const fmb_facets *view, fmb_facet *copy, fmb_num *num);
-fmb_status fmb_facets_take_normal(fmb_facets *f, size_t at, const fmb_facet *copy);
-
 static inline bool fmb_facet_holds(const fmb_facet *a, size_t generator)
 {
     return fmb_set_has(a->on, generator);

@@ -20,7 +20,7 @@
 #include "lp/oracle/oracle.h"
 #include "num/integers.h"
 #include "symmetry/group.h"
-#include "trace/team.h"
+#include "trace/run.h"
 
 /* A row of the projection: a.x <= b, < b or = b over its k variables. */
 typedef struct fmb_support_row {
@@ -51,28 +51,24 @@ typedef struct fmb_support_worker {
     mpz_t t;                /* scratch */
 } fmb_support_worker;
 
-typedef struct fmb_support_workers
-    fmb_support_workers; /* workers that look at several facets at once (support_workers.c) */
 typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
-
-typedef struct fmb_known fmb_known; /* rows of the program (support_known.c) */
+typedef struct fmb_known fmb_known;       /* rows of the program (support_known.c) */
 
 typedef struct fmb_support {
     fmb_run *run;
     fmb_support_worker worker;
-    fmb_support_workers *workers; /* or NULL */
-    fmb_symmetry *symmetry;       /* of the program, or NULL */
-    size_t n, k;                  /* columns; those that are kept, */
-    const int *kept;              /* [k], increasing */
-    bool strict;                  /* some row of the program is strict */
-    bool proves;                  /* proofs are wanted */
-    size_t most;                  /* generators, with more of which asking ends; 0: any number */
-    fmb_facets hull;              /* of (1, x) and (0, x) */
-    fmb_known *known;             /* or NULL */
-    bool begun, ended;            /* ended: by an error, so that nothing more may be asked */
-    size_t equations;             /* these of the hull stand */
-    size_t at;            /* the facet to begin with when looking for one that does not stand */
-    fmb_support_row *row; /* [rows] proved */
+    fmb_symmetry *symmetry; /* of the program, or NULL */
+    size_t n, k;            /* columns; those that are kept, */
+    const int *kept;        /* [k], increasing */
+    bool strict;            /* some row of the program is strict */
+    bool proves;            /* proofs are wanted */
+    size_t most;            /* generators, with more of which asking ends; 0: any number */
+    fmb_facets hull;        /* of (1, x) and (0, x) */
+    fmb_known *known;       /* or NULL */
+    bool begun, ended;      /* ended: by an error, so that nothing more may be asked */
+    size_t equations;       /* these of the hull stand */
+    size_t at;              /* the facet to begin with when looking for one that does not stand */
+    fmb_support_row *row;   /* [rows] proved */
     size_t rows, row_capacity;
     size_t outer_after, outer_most; /* rows are wanted that are no facets: from when, how many */
     size_t ends_asked;              /* of the coordinates, on either side */
@@ -89,10 +85,6 @@ typedef struct fmb_support {
 fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
                             const int *kept, size_t k, bool strict, bool proves);
 void fmb_support_clear(fmb_support *s);
-/* From now on look at several facets at once, by as many threads as the run has (at least two),
- * each with an oracle of its own of p, the program. What is found is the same for any number of
- * threads, but perhaps in another order than by one alone. Errors: MEMORY, LIMIT. */
-fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p);
 
 /* These are symmetries of the program that keep the kept columns; before anything is asked. The
  * group goes over to here, whatever the status. Errors: MEMORY, LIMIT. */

@@ -17,7 +17,6 @@ fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, si
 void fmb_support_clear(fmb_support *s)
 {
     fmb_mem *mem = s->run->mem;
-    fmb_support_dismiss(s);
     fmb_support_worker_clear(&s->worker, s);
     fmb_support_forget_symmetry(s);
     fmb_support_forget_rows(s);
@@ -114,11 +113,6 @@ static fmb_status ask_about_next_facet(fmb_support *s, bool *done)
     return *done ? FMB_OK : ask_about_facet(s, at);
 }
 
-static bool has_asked_a_while(const fmb_support *s)
-{
-    return s->rows + s->hull.generators >= FMB_QUERIES_ALONE;
-}
-
 static fmb_status ask_next_question(fmb_support *s, bool *done)
 {
     const fmb_facets *f = &s->hull;
@@ -127,8 +121,7 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
         return fmb_support_ask_about_end(s);
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);
-    FMB_TRY(s->workers && has_asked_a_while(s) ? fmb_support_ask_workers(s, done)
-                                               : ask_about_next_facet(s, done));
+    FMB_TRY(ask_about_next_facet(s, done));
     return *done && s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
 }
 

@@ -8,8 +8,7 @@
 enum {
     FMB_FACET_OPEN = 0, /* it may be that the projection goes further */
     FMB_FACET_STANDS,
-    FMB_FACET_MISSING, /* the same, but the projection only comes near */
-    FMB_FACET_ASKED    /* a worker was asked about it, and what it saw has not been taken in */
+    FMB_FACET_MISSING /* the same, but the projection only comes near */
 };
 
 /* What a question about a facet came to. */
@@ -33,8 +32,7 @@ void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s);
  * reverse), in the worker's memory. Else the worker sees a point or ray beyond. */
 fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
                                    int sign, fmb_support_row *row, bool *stands);
-/* The same of a facet, or a copy of one, whose normal is known, by whatever tells soonest. Several
- * workers may ask while the hull grows. */
+/* The same of a facet whose normal is known, by whatever tells soonest. */
 fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
                                      const fmb_facet *a, fmb_support_row *row,
                                      fmb_support_answer *answer);
@@ -53,18 +51,6 @@ bool fmb_support_is_hull_coarse(const fmb_support *s);
 /* An open facet, SIZE_MAX if there is none. It is one near that generator, where the worker's
  * oracle stands, so that its way to the optimum is short; or else the youngest, roughly. */
 size_t fmb_support_find_open_facet(fmb_support *s, const fmb_support_near *near);
-
-/* ---- support_workers.c ----------------------------------------------------------------------- */
-
-/* Workers, and facets that are asked about at once. */
-#define FMB_SUPPORT_WORKERS 8
-/* For so many rows and generators, oracles that begin anew would cost more than they save. */
-#define FMB_QUERIES_ALONE 32
-
-/* Ask about some open facets, and take in what was seen before. *done: there was neither. There are
- * workers. */
-fmb_status fmb_support_ask_workers(fmb_support *s, bool *done);
-void fmb_support_dismiss(fmb_support *s);
 
 /* ---- support_symmetry.c ---------------------------------------------------------------------- */
 
@@ -91,9 +77,6 @@ static inline void fmb_support_note_facet(fmb_support *s, size_t facet, fmb_rel 
 }
 /* The same, and keep the row. */
 fmb_status fmb_support_keep_facet(fmb_support *s, size_t facet, fmb_support_row *row);
-/* A copy of a row that is held elsewhere. In any case fmb_support_drop it. */
-fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
-                                fmb_support_row *to);
 void fmb_support_drop(fmb_support_row *row, fmb_mem *mem);
 
 /* ---- support_outer.c ------------------------------------------------------------------------- */

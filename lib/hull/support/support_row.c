@@ -30,19 +30,6 @@ fmb_status fmb_support_keep_facet(fmb_support *s, size_t facet, fmb_support_row 
     return fmb_support_keep(s, row);
 }
 
-fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
-                                fmb_support_row *to)
-{
-    fmb_mem *mem = s->run->mem;
-    *to = (fmb_support_row){.rel = from->rel};
-    FMB_TRY(fmb_integers_init(&to->z, s->k + 1, mem));
-    for (size_t j = 0; j <= s->k; j++)
-        mpz_set(to->z.z[j], from->z.z[j]);
-    FMB_TRY(fmb_integers_settle(&to->z, mem));
-    FMB_TRY(fmb_weights_append(&to->proof, &from->proof, mem));
-    return fmb_weights_append(&to->reverse, &from->reverse, mem);
-}
-
 void fmb_support_drop(fmb_support_row *row, fmb_mem *mem)
 {
     fmb_integers_clear(&row->z, mem);

@@ -215,8 +215,6 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, bool apart
     FMB_THEN(st, use_symmetries(h));
     if (fmb_run_is_limited(&q->run))
         fmb_support_want_outer_rows(&h->s, FEW_QUERIES, OUTER_ROWS * h->k);
-    if (st == FMB_OK && q->run.threads > 1 && !q->session && !apart)
-        st = fmb_support_hire(&h->s, &q->program[part]);
     return st;
 }
 
