@@ -5,81 +5,18 @@
 
 #include "base/ways.h"
 #include "elim/round/mark.h"
-#include "solve/limit/outer.h"
+#include "solve/portfolio/project_elimination.h"
 #include "solve/portfolio/project_rays.h"
 #include "solve/portfolio/project_support.h"
 #include "solve/portfolio/race.h"
 #include "solve/portfolio/selection.h"
 #include "solve/portfolio/slices.h"
-#include "solve/prepare/irredundant_rows.h"
 #include "solve/prepare/recession.h"
 #include "solve/prepare/reduced_part.h"
 #include "solve/query/rule_lp.h"
 
-/* One part on its way by elimination. */
-typedef struct part_elimination {
-    fmb_query *q;
-    const fmb_part *p;
-    const int *place; /* [dim] column in the projection, -1 for variables that go */
-    fmb_system *out;
-    fmb_elim e;
-} part_elimination;
-
 /* What one variable may make, as a share of the rows. */
 #define MOST_GROWTH 0.25
-
-/* ---- by elimination -------------------------------------------------------------------------- */
-
-/* Many rows for their variables are mostly redundant: then the rule looks before the first pairs,
- * whose number is the square of theirs. Else it waits until rows have doubled. */
-static bool has_rows_in_plenty(const fmb_part *p)
-{
-    return p->m >= 64 && p->m / 8 >= (size_t)p->n;
-}
-
-static fmb_status eliminate_columns_that_go(part_elimination *h, bool feasible)
-{
-    fmb_query *q = h->q;
-    bool *drop;
-    FMB_TRY(FMB_ARENA_GET(&q->v->arena, drop, (size_t)h->p->n));
-    for (int j = 0; j < h->p->n; j++)
-        drop[j] = h->place[h->p->var[j]] < 0;
-    fmb_status st = fmb_query_load(q, h->p, feasible, &h->e);
-    if (st == FMB_OK && feasible && has_rows_in_plenty(h->p))
-        st = fmb_elim_prune(&h->e);
-    return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
-}
-
-/* The elimination ended, with a status: put out what is irredundant of its rows; or, at a limit,
- * what names kept variables only. */
-static fmb_status put_rows_of_elimination(part_elimination *h, fmb_elim *e, fmb_status st,
-                                          bool known, bool *feasible, bool *done)
-{
-    size_t rows = fmb_system_rows(h->out);
-    *done = st == FMB_OK;
-    if (st == FMB_LIMIT && (e->over_budget || e->paused))
-        return FMB_OK;
-    if (st == FMB_OK)
-        *feasible = e->clash == FMB_NO_ROW;
-    if (st == FMB_OK && *feasible)
-        st = fmb_irredundant_rows_append(h->q, h->p, h->place, e, known || h->q->decided, h->out,
-                                         feasible);
-    fmb_status saved = FMB_OK;
-    bool room = h->q->run.stop != FMB_STOP_DONE && e->n > 0; /* else memory ran out, or no row was
-                                                                loaded */
-    if (st == FMB_LIMIT && room && fmb_system_rows(h->out) == rows)
-        saved = fmb_outer_rows(h->q, h->p, e, h->place, h->out);
-    return saved != FMB_OK ? saved : st;
-}
-
-static fmb_status project_by_elimination(part_elimination *h, bool known, bool *feasible,
-                                         bool *done)
-{
-    fmb_status st = eliminate_columns_that_go(h, known);
-    st = put_rows_of_elimination(h, &h->e, st, known, feasible, done);
-    fmb_elim_clear(&h->e);
-    return st;
-}
 
 /* ---- which way ------------------------------------------------------------------------------- */
 
@@ -109,7 +46,7 @@ typedef struct part_run {
     fmb_features features; /* of the reduced part */
     fmb_ray_projection *rays;
     fmb_queries *queries;
-    part_elimination e; /* the elimination that takes turns */
+    fmb_part_elimination e; /* the elimination that takes turns */
     fmb_slices slices;
     bool races;    /* queries may go on beside other engines */
     bool ready;    /* an engine knows the answer, which is not put out */
@@ -132,19 +69,19 @@ static void tell_attempt(part_run *r, const char *engine, uint64_t budget, fmb_s
     fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
 }
 
-static part_elimination elimination_of_run(const part_run *r)
+static fmb_part_elimination elimination_of_run(const part_run *r)
 {
-    return (part_elimination){.q = r->q,
-                              .p = &r->q->parts.part[r->part],
-                              .place = r->place,
-                              .out = r->out,
-                              .e.run = &r->q->run};
+    return (fmb_part_elimination){.q = r->q,
+                                  .p = &r->q->parts.part[r->part],
+                                  .place = r->place,
+                                  .out = r->out,
+                                  .e.run = &r->q->run};
 }
 
 static fmb_status try_elimination(part_run *r, bool known)
 {
-    part_elimination h = elimination_of_run(r);
-    fmb_status st = project_by_elimination(&h, known, r->feasible, &r->done);
+    fmb_part_elimination h = elimination_of_run(r);
+    fmb_status st = fmb_project_by_elimination(&h, known, r->feasible, &r->done);
     tell_attempt(r, "elimination", 0, st);
     return st;
 }
@@ -159,13 +96,13 @@ static fmb_status try_recession(part_run *r, const fmb_choice *c)
     double best = INFINITY;
     for (size_t k = 0; k < FMB_ENGINES; k++)
         best = fmin(best, c->work[k]);
-    part_elimination h = elimination_of_run(r);
+    fmb_part_elimination h = elimination_of_run(r);
     bool recedes;
     fmb_elim *e = &r->reduced.e;
     fmb_status st =
         fmb_recession_drop_rows(e, r->reduced.drop, best / SHARE_FOR_RECESSION, &recedes);
     if (st == FMB_OK && recedes)
-        st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
+        st = fmb_put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
     tell_attempt(r, "recession direction", 0, st);
     return st;
 }
@@ -183,7 +120,7 @@ static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
  * there are too many rows, or after so much work; 0: any. */
 static fmb_status try_bounded_elimination(part_run *r, uint64_t budget)
 {
-    part_elimination h = elimination_of_run(r);
+    fmb_part_elimination h = elimination_of_run(r);
     fmb_elim *e = &r->reduced.e;
     fmb_run *run = &r->q->run;
     fmb_mark mark;
@@ -200,7 +137,7 @@ static fmb_status try_bounded_elimination(part_run *r, uint64_t budget)
     fmb_status st = fmb_elim_eliminate(e, r->reduced.drop);
     run->slice_end = 0;
     st = expect_few_rows(e, st, r->features.kept);
-    st = put_rows_of_elimination(&h, e, st, false, r->feasible, &r->done);
+    st = fmb_put_rows_of_elimination(&h, e, st, false, r->feasible, &r->done);
     if (st == FMB_OK && !r->done)
         fmb_mark_return(&mark, e);
     e->over_budget = false;
@@ -261,7 +198,7 @@ static fmb_status open_elimination(part_run *r)
     r->e = elimination_of_run(r);
     st = fmb_query_load(r->q, r->e.p, true, &r->e.e);
     r->e.e.pauses = true;
-    return st == FMB_OK && has_rows_in_plenty(r->e.p) ? fmb_elim_prune(&r->e.e) : st;
+    return st == FMB_OK && fmb_has_rows_in_plenty(r->e.p) ? fmb_elim_prune(&r->e.e) : st;
 }
 
 static fmb_status go_on_with_elimination(part_run *r)
@@ -273,7 +210,7 @@ static fmb_status go_on_with_elimination(part_run *r)
 
 static fmb_status put_elimination(part_run *r, fmb_status st)
 {
-    return put_rows_of_elimination(&r->e, &r->e.e, st, true, r->feasible, &r->done);
+    return fmb_put_rows_of_elimination(&r->e, &r->e.e, st, true, r->feasible, &r->done);
 }
 
 static const struct engine {
