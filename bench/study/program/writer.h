@@ -63,43 +63,49 @@ study_family study_klee_minty, study_beale, study_kuhn, study_cube, study_chain,
 /* families_flow.c: what practice looks like */
 study_family study_assignment, study_transport, study_staircase;
 
-/* images_rows.c: projections of rows at random; the writer draws sizes */
-study_family study_image_boxed, study_image_dense, study_image_wide, study_image_sparse,
-    study_image_strict, study_image_cone, study_image_long, study_image_octagon, study_image_equal,
+/* images/rows.c: rows at random; the writer draws sizes */
+study_family study_image_dense, study_image_wide, study_image_strict, study_image_sparse,
+    study_image_boxed, study_image_cone, study_image_long, study_image_octagon, study_image_equal,
     study_image_endless, study_image_open, study_image_flat, study_image_none, study_image_cube,
     study_image_slice;
-/* images_lifted.c: polytopes that have fewer rows in more variables */
+/* images/lifted.c: polytopes that have fewer rows in more variables */
 study_family study_image_union, study_image_sum, study_image_zonotope, study_image_orbit,
     study_image_parity, study_image_knapsack;
-/* images_practice.c: planning, networks, loops, entropies */
+/* images/practice.c: planning, networks, loops, entropies */
 study_family study_image_schedule, study_image_petri, study_image_hydro, study_image_power,
     study_image_loops, study_image_entropy, study_image_metric, study_image_games;
-/* images_structured.c: hulls of points, trees, stages, rows in plenty */
+/* images/structured.c: hulls of points, trees, stages, rows in plenty */
 study_family study_image_points, study_image_local, study_image_scarce, study_image_tree,
     study_image_stages, study_image_packing, study_image_crowd, study_image_redundant;
-/* images_systems.c: what systems can do: networks, controllers, programs, clocks */
+/* images/systems.c: networks, controllers, programs, clocks */
 study_family study_image_relu, study_image_control, study_image_value, study_image_chain,
     study_image_flow, study_image_transport, study_image_clocks;
-/* images_apart.c: what judged choices of ways until a fit took them in */
-study_family study_image_cuts, study_image_marginals, study_image_recourse, study_image_automaton,
-    study_image_mostly_kept, study_image_tails, study_image_lots, study_image_parameters,
-    study_image_weights, study_image_mixture, study_image_sites, study_image_dependences;
-/* images_later.c: apart, too, and later */
-study_family study_image_frontier, study_image_hedge, study_image_grip, study_image_gates,
+/* images/networks.c: flows, cuts, sums of tables */
+study_family study_image_cuts, study_image_marginals, study_image_fluxes, study_image_leaks,
+    study_image_routes, study_image_measured;
+/* images/plans.c: decisions over time */
+study_family study_image_recourse, study_image_scenarios, study_image_lots, study_image_shifts,
+    study_image_slots, study_image_windows, study_image_totals, study_image_steered,
     study_image_warmth;
-/* images_unseen.c: apart, too, and later still */
-study_family study_image_fluxes, study_image_shifts, study_image_scenarios, study_image_reach,
-    study_image_coalitions, study_image_beliefs, study_image_accesses, study_image_votes,
-    study_image_tolerances, study_image_truss;
-/* images_fitted.c: invented for a fit, which needs many families */
+/* images/data.c: measurements, choices, distributions */
+study_family study_image_parameters, study_image_fits, study_image_moments, study_image_tails,
+    study_image_beliefs, study_image_votes, study_image_shares, study_image_sorted;
+/* images/markets.c: prices, shares of a gain */
+study_family study_image_frontier, study_image_hedge, study_image_coalitions, study_image_packages;
+/* images/mechanics.c: forces, positions, tolerances */
+study_family study_image_grip, study_image_truss, study_image_tolerances, study_image_reach,
+    study_image_sites, study_image_mixture;
+/* images/automata.c: clocks, loops, gates */
+study_family study_image_automaton, study_image_dependences, study_image_accesses,
+    study_image_gates;
+/* images/functions.c: functions by rows */
+study_family study_image_products, study_image_bends, study_image_layers, study_image_covers;
+/* images/shapes.c: sums of simplices, cells, polars, lattices */
+study_family study_image_simplices, study_image_weights, study_image_cells, study_image_planes,
+    study_image_polar, study_image_lattice;
+/* images/mixed.c: rows of several kinds */
 study_family study_image_mixed, study_image_fans, study_image_bound, study_image_plenty,
-    study_image_blocks, study_image_band, study_image_measured, study_image_differences,
-    study_image_layers, study_image_planes, study_image_covers, study_image_sorted,
-    study_image_lattice, study_image_shares, study_image_steered, study_image_windows,
-    study_image_totals, study_image_packages, study_image_polar;
-/* images_newer.c: what judges the choice of ways, and no fit sees */
-study_family study_image_leaks, study_image_simplices, study_image_routes, study_image_fits,
-    study_image_moments, study_image_implied, study_image_slots, study_image_products,
-    study_image_bends, study_image_cells;
+    study_image_mostly_kept, study_image_implied, study_image_blocks, study_image_band,
+    study_image_differences;
 
 #endif

@@ -1,4 +1,4 @@
-/* images_rows.c: projections of systems whose rows are drawn at random. */
+/* rows.c: projections of systems whose rows are drawn at random. */
 #include "study/program/writer.h"
 
 /* The left side of a row of all terms. */

@@ -1,4 +1,4 @@
-/* images_structured.c: projections whose rows have a pattern: hulls of points, trees, stages, rows
+/* structured.c: projections whose rows have a pattern: hulls of points, trees, stages, rows
  * in plenty.
  *
  * Sources: Pitowsky 1989 (correlation polytopes, doi 10.1007/BFb0021186); Ziegler 1995 (the moment

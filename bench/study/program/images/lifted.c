@@ -1,4 +1,4 @@
-/* images_lifted.c: polytopes that have fewer rows in more variables, projected back.
+/* lifted.c: polytopes that have fewer rows in more variables, projected back.
  *
  * Sources: Balas 1998 (Disjunctive programming: properties of the convex hull of feasible points),
  * Yannakakis 1991 (parity polytopes, doi 10.1016/0022-0000(91)90024-Y); Birkhoff's theorem for the
