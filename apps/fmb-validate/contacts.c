@@ -14,6 +14,7 @@
 #include <fmb/proximity.h>
 #include <fmb/solve.h>
 
+#include "fmb-validate/boundary.h"
 #include "fmb-validate/watch.h"
 #include "study/reference/equations.h"
 #include "study/reference/proofs.h"

@@ -1,6 +1,5 @@
-/* difference.h: the differences of points of two frames, in whole numbers, and the check of how far
- * their boundary is from 0: what judges depths and distances in more than three dimensions. It
- * shares nothing with what it judges.
+/* difference.h: the differences of points of two frames, in whole numbers: what judges depths and
+ * distances in more than three dimensions. It shares nothing with what it judges.
  */
 #ifndef VALIDATE_DIFFERENCE_H
 #define VALIDATE_DIFFERENCE_H
@@ -14,7 +13,7 @@ enum {
 
 /* A direction of an edge; side 2: the drift. */
 typedef struct validate_edge {
-    int side, corner; /* of a simplex: the first of its ends */
+    int side, corner, to; /* of a simplex: the first of its ends; its other end */
     mpz_t x[VALIDATE_MOST_DIM];
 } validate_edge;
 
@@ -37,9 +36,5 @@ void validate_difference_load(validate_difference *m, const fmb_frame *p, const 
 
 /* The least and the largest value of y.m over all m of M, whose numbers are as they are here. */
 void validate_ends(validate_difference *m, mpz_t *y, mpz_t least, mpz_t most);
-
-/* Where 0 is in M: is the square of its distance from the boundary of M, times 2^-(2 unit), that?
- * If M has no interior it is all boundary. */
-bool validate_depth_is(validate_difference *m, const mpq_t square);
 
 #endif

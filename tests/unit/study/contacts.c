@@ -7,6 +7,7 @@
 #include <fmb/proximity.h>
 #include <fmb/solve.h>
 
+#include "fmb-validate/boundary.h"
 #include "fmb-validate/contacts.h"
 #include "support/must.h"
 
