@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How many bits of a word are 1. For processors at large a compiler knows no instruction for that,
- * and calls a function. Source: Warren 2012, Hacker's Delight, 5-1. */
+/* The number of bits of x that are 1. On a generic x86-64 target __builtin_popcountll would be a
+ * function call. Source: Warren 2012, Hacker's Delight, 5-1. */
 static inline unsigned fmb_ones64(uint64_t x)
 {
     x -= x >> 1 & 0x5555555555555555u;
@@ -49,7 +49,7 @@ static inline bool fmb_set_is_inside(const uint64_t *a, const uint64_t *b, size_
     return true;
 }
 
-/* Have they something in common? */
+/* Is the intersection of a and b nonempty? */
 static inline bool fmb_sets_meet(const uint64_t *a, const uint64_t *b, size_t words)
 {
     for (size_t k = 0; k < words; k++)

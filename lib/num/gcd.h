@@ -1,4 +1,4 @@
-/* gcd.h: greatest common divisors: of machine integers by shifts and subtractions (Stein 1967). */
+/* gcd.h: greatest common divisors; of machine integers by shifts and subtractions (Stein 1967). */
 #ifndef FMB_NUM_GCD_H
 #define FMB_NUM_GCD_H
 
@@ -34,15 +34,15 @@ static inline uint64_t fmb_abs64(int64_t v)
     return v < 0 ? 0 - (uint64_t)v : (uint64_t)v;
 }
 
-/* ---- of long ones, which somebody may wait for ----------------------------------------------- */
+/* ---- of long integers, with a poll ----------------------------------------------------------- */
 
-/* From so many bits of both numbers on whether to go on is asked on the way, every few hundredths
- * of a second; up to here mpz_gcd takes no longer. */
+/* If both numbers have at least this many bits, the functions below poll every few hundredths of a
+ * second; for shorter numbers one call of mpz_gcd takes no longer than that. */
 #define FMB_LONG_BITS ((size_t)1 << 19)
 
-/* out = gcd(a, b), which may be the same. Errors: what poll says; then out is as it was. */
+/* out = gcd(a, b); out may be a or b. Errors: the status of poll; then out is unchanged. */
 fmb_status fmb_long_gcd(mpz_t out, const mpz_t a, const mpz_t b, const fmb_poll *poll);
-/* x = x / by in lowest terms; by is not 0. Errors: what poll says; then x is as it was. */
+/* x = x / by in lowest terms; by is not 0. Errors: the status of poll; then x is unchanged. */
 fmb_status fmb_long_divide(mpq_t x, const mpz_t by, const fmb_poll *poll);
 
 #endif

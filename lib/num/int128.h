@@ -1,7 +1,7 @@
-/* int128.h: integers of 128 bits, signed and not, by functions. Where the compiler has them these
- * are its operators, elsewhere (targets of 32 bits) they are made of two words; FMB_INT128_PLAIN,
- * which a test defines, wants the latter. All results are modulo 2^128, so that sums may wrap on
- * their way to one that fits. This file knows no room: rules and programs include it, too.
+/* int128.h: signed and unsigned integers of 128 bits, as functions. Where the compiler has such
+ * types the functions are its operators; elsewhere (32-bit targets) a number is two words. A test
+ * defines FMB_INT128_PLAIN to get these. All results are modulo 2^128, so an intermediate sum may
+ * wrap if the final one fits. This file includes no room: rules and programs include it, too.
  */
 #ifndef FMB_NUM_INT128_H
 #define FMB_NUM_INT128_H
@@ -90,7 +90,7 @@ static inline int fmb_i128_compare(fmb_i128 a, fmb_i128 b)
 {
     return (a > b) - (a < b);
 }
-/* |a|, right for the least of them, too. */
+/* |a|, also right for the least number, -2^127. */
 static inline fmb_u128 fmb_i128_size(fmb_i128 a)
 {
     return a < 0 ? 0 - (fmb_u128)a : (fmb_u128)a;
@@ -167,8 +167,8 @@ static inline bool fmb_u128_is_less(fmb_u128 a, fmb_u128 b)
 {
     return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
-/* a / b rounded down, b not 0: bit by bit. What is left of a is less than b, so that it loses no
- * bit when it is doubled unless b has its highest one; `over` is that bit. */
+/* a / b rounded down, b not 0, bit by bit. The remainder `left` is less than b, so doubling it can
+ * lose a bit only if b has bit 127 set; `over` is that lost bit. */
 static inline fmb_u128 fmb_u128_quotient(fmb_u128 a, fmb_u128 b)
 {
     fmb_u128 left = {0, 0}, quotient = {0, 0};
@@ -197,7 +197,7 @@ static inline fmb_i128 fmb_i128_of(int64_t a)
 {
     return (fmb_i128){(uint64_t)a, a < 0 ? UINT64_MAX : 0};
 }
-/* As two's complement: a number that is negative is taken for 2^64 more. */
+/* In two's complement: as an unsigned word, a negative number is 2^64 larger. */
 static inline fmb_i128 fmb_i128_product(int64_t a, int64_t b)
 {
     fmb_u128 t = fmb_u128_product((uint64_t)a, (uint64_t)b);
@@ -215,7 +215,7 @@ static inline int fmb_i128_compare(fmb_i128 a, fmb_i128 b)
     return fmb_u128_is_less(y, x) - fmb_u128_is_less(x, y);
 }
 
-/* |a|, right for the least of them, too. */
+/* |a|, also right for the least number, -2^127. */
 static inline fmb_u128 fmb_i128_size(fmb_i128 a)
 {
     fmb_u128 size = {a.low, a.high};
@@ -231,7 +231,7 @@ static inline fmb_i128 fmb_i128_quotient(fmb_i128 a, fmb_i128 b)
 
 #endif
 
-/* ---- what is made of these ------------------------------------------------------------------- */
+/* ---- made of the functions above ------------------------------------------------------------- */
 
 static inline bool fmb_u128_is_zero(fmb_u128 a)
 {
@@ -264,14 +264,14 @@ static inline fmb_u128 fmb_u128_plus_word(fmb_u128 sum, uint64_t a)
 {
     return fmb_u128_plus(sum, fmb_u128_of(a));
 }
-/* a / b rounded down, modulo 2^128, b not 0; *rest is what is left. */
+/* a / b rounded down, b not 0; *rest is the remainder. */
 static inline fmb_u128 fmb_u128_divide(fmb_u128 a, fmb_u128 b, fmb_u128 *rest)
 {
     fmb_u128 quotient = fmb_u128_quotient(a, b);
     *rest = fmb_u128_minus(a, fmb_u128_times(quotient, b));
     return quotient;
 }
-/* How many bits it has; 0 of 0. */
+/* The number of bits of a; 0 if a = 0. */
 static inline int fmb_u128_bits(fmb_u128 a)
 {
     uint64_t high = fmb_u128_high(a), low = fmb_u128_low(a);
@@ -309,7 +309,7 @@ static inline fmb_i128 fmb_i128_minus_product(fmb_i128 sum, int64_t a, int64_t b
 {
     return fmb_i128_minus(sum, fmb_i128_product(a, b));
 }
-/* The lower word, which is all of it if fmb_i128_is_word. */
+/* The lower word of a; it equals a if fmb_i128_is_word. */
 static inline int64_t fmb_i128_low(fmb_i128 a)
 {
     return (int64_t)fmb_u128_low(fmb_u128_of_i128(a));

@@ -1,5 +1,5 @@
-/* laplace.h: minors of whole numbers, of which the lowest bits are enough: all is modulo 2^64 (one
- * word) or 2^128 (two), in two's complement. Of one word the upper half means nothing.
+/* laplace.h: minors of integer matrices modulo 2^64 (one word) or 2^128 (two words), in two's
+ * complement. With one word the upper half is meaningless.
  */
 #ifndef FMB_NUM_LAPLACE_H
 #define FMB_NUM_LAPLACE_H
@@ -43,8 +43,8 @@ FMB_WORDS_INLINE fmb_u128 fmb_words_size(int words, fmb_u128 a)
     return fmb_words_are_negative(words, a) ? fmb_words_minus(words, fmb_u128_of(0), a) : a;
 }
 
-/* From minor[set] of `rows` vectors, of all sets of so many of n coordinates, those of one vector
- * more: by Laplace, with its numbers in the last row. Are all 0? */
+/* Laplace expansion: minor[set] for all sets of `rows` of the n columns become those of one row
+ * more, `vector`, which is the last row. Are all the new minors 0? */
 FMB_WORDS_INLINE bool fmb_words_take_vector(int words, int n, int rows, const fmb_u128 *vector,
                                             fmb_u128 *minor)
 {

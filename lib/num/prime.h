@@ -17,7 +17,7 @@ typedef struct fmb_prime {
     uint64_t inverse; /* of p modulo 2^64 */
 } fmb_prime;
 
-/* x^-1 modulo 2^64, x odd: each step of Newton's doubles the number of bits that are right. */
+/* x^-1 modulo 2^64, x odd: each step of Newton's method doubles the number of correct bits. */
 static inline uint64_t fmb_prime_inverse_of_odd(uint64_t x)
 {
     uint64_t y = 3 * x ^ 2; /* 5 bits */
@@ -76,7 +76,7 @@ static inline uint64_t fmb_prime_of_entry(const fmb_prime *q, const fmb_vec *v, 
     return v->z ? fmb_prime_of_integer(q, v->z[j]) : fmb_prime_of_signed(q, v->s[j]);
 }
 
-/* a^-1, a not 0: Euclid. */
+/* a^-1 modulo p by Euclid's algorithm; a is not 0. */
 static inline uint64_t fmb_prime_inverse(const fmb_prime *q, uint64_t a)
 {
     uint64_t r = q->p, s = a;

@@ -1,4 +1,4 @@
-/* residue.h: residues modulo a prime of 29 bits, which tell cheaply that a product is not 0.
+/* residue.h: residues modulo a prime of 29 bits, a cheap proof that a product is not 0.
  *
  * Products of two residues have less than 58 bits: 64 of them fit into a word together.
  */
@@ -15,7 +15,7 @@ static inline uint32_t fmb_residue_of_integer(mpz_srcptr x)
     return (uint32_t)fmb_integer_modulo_u64(x, FMB_RESIDUE_PRIME);
 }
 
-/* Of entry j of v. */
+/* The residue of entry j of v. */
 static inline uint32_t fmb_residue_of_entry(const fmb_vec *v, size_t j)
 {
     if (v->z)
@@ -24,7 +24,7 @@ static inline uint32_t fmb_residue_of_entry(const fmb_vec *v, size_t j)
     return (uint32_t)(rest < 0 ? rest + FMB_RESIDUE_PRIME : rest);
 }
 
-/* May a.b be 0? If not, that is sure. */
+/* May a.b be 0? If the answer is no, a.b is certainly not 0. */
 static inline bool fmb_residues_vanish(const uint32_t *a, const uint32_t *b, size_t n)
 {
     uint64_t sum = 0;

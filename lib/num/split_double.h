@@ -1,4 +1,4 @@
-/* split_double.h: a double as a whole number and a power of two. */
+/* split_double.h: a double as an integer times a power of two. */
 #ifndef FMB_NUM_SPLIT_DOUBLE_H
 #define FMB_NUM_SPLIT_DOUBLE_H
 

@@ -1,9 +1,9 @@
 /* vec.h: vectors of integers that start as int64 and widen, each by itself, to GMP.
  *
  * A vec of n entries is *small* (z == NULL; entries in s, every |entry| < 2^bits, bits <= 62) or
- * *wide* (entries in z). The n words at s are the owner's in either case, so that a wide vec can
- * become small again; z belongs to the vec. The bound on the bits tells before multiplying whether
- * int64 or 128 bits are safe: nothing ever wraps.
+ * *wide* (entries in z). The owner provides the n words at s in either case, so that a wide vec can
+ * become small again; z belongs to the vec. `bits` shows before a multiplication whether int64 or
+ * 128 bits suffice, so nothing ever overflows.
  */
 #ifndef FMB_NUM_VEC_H
 #define FMB_NUM_VEC_H
@@ -17,7 +17,7 @@
 #include "num/work.h"
 
 #define FMB_SMALL_BITS 62
-/* Up to this size a combination is left as it is: two such can be combined without leaving int64.
+/* Combinations of at most this many bits are not reduced: combining two of them fits int64.
  */
 #define FMB_LAZY_BITS 30
 
@@ -28,13 +28,13 @@ typedef struct fmb_vec {
     uint32_t limbs; /* wide: charged to the allocator */
 } fmb_vec;
 
-/* What the operations need: where wide entries are allocated, and scratch. */
+/* Context of the operations: the memory for wide entries, kernels, counters and scratch. */
 typedef struct fmb_num {
     fmb_mem *mem;
     bool wide_only;             /* keep every vec wide (options.arith = gmp) */
-    const fmb_kernels *kernels; /* the best that there are, unless the owner takes others */
+    const fmb_kernels *kernels; /* initially the best of this processor */
     uint64_t promotions;        /* small vecs that became wide */
-    fmb_poll poll;              /* asked within operations on long numbers; at first nobody is */
+    fmb_poll poll;              /* asked within operations on long numbers; initially none */
     mpz_t p, q, t;              /* scratch */
     fmb_i128 *scratch;          /* [scratch_size] */
     size_t scratch_size;
@@ -51,9 +51,9 @@ static inline bool fmb_vec_is_wide(const fmb_vec *v)
 {
     return v->z != NULL;
 }
-/* Steps (trace/run.h) of a combination of n entries, if this is what came out: products of numbers
- * of half a word fit a word; of long ones, which are half as long as what is made of them, mostly
- * two are asked for the divisor of all. */
+/* Work (steps of trace/run.h) of the combination of n entries whose result is v. Small: products of
+ * half-words fit a word. Wide: the operands are half as long as the result, and mostly two gcds
+ * find the common divisor of all entries. */
 static inline uint64_t fmb_vec_work(const fmb_vec *v, size_t n)
 {
     if (!v->z)
@@ -65,9 +65,9 @@ static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
 {
     return v->z ? mpz_sgn(v->z[i]) : (v->s[i] > 0) - (v->s[i] < 0);
 }
-/* So many that |entry i| < 2^bits; 0 of 0. */
+/* The least b with |entry i| < 2^b; 0 for entry 0. */
 size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i);
-/* The same of minors of d of these vectors, by Hadamard's inequality. */
+/* Bound on the bits of the d x d minors of the matrix of rows v[size], by Hadamard's inequality. */
 size_t fmb_vec_minor_bits(const fmb_vec *v, size_t size, size_t d);
 void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out);
 static inline void fmb_vec_get_q(const fmb_vec *v, size_t i, mpq_t out)
@@ -76,23 +76,23 @@ static inline void fmb_vec_get_q(const fmb_vec *v, size_t i, mpq_t out)
     mpz_set_ui(mpq_denref(out), 1);
 }
 
-/* Recompute bits of a small vec whose s was filled in. |s[i]| < 2^62 is the caller's promise. */
+/* Recompute `bits` of a small vec after s was filled in. The caller guarantees |s[i]| < 2^62. */
 void fmb_vec_measure(fmb_vec *v, size_t n);
 
-/* Set from n integers: small if they fit, wide else. */
+/* Set from n integers: small if they fit, otherwise wide. */
 fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem);
 /* *to = *from; to->s must have room. */
 fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem);
 /* Make a small vec wide. */
 fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem);
 
-/* Entry c goes, and the last of the n takes its place. The vec is good in any case; after an error
- * it is zero. Errors: MEMORY, LIMIT. */
+/* Remove entry c; the last of the n entries takes its place. After an error the vec is zero, but
+ * valid. Errors: MEMORY, LIMIT. */
 fmb_status fmb_vec_drop_entry(fmb_vec *v, size_t n, size_t c, fmb_mem *mem);
 
-/* Divide by the greatest common divisor of the entries; a vec of zeros stays. Wide vecs that fit
- * become small again unless k->wide_only. Errors: MEMORY, LIMIT, what k->poll says; the vec is good
- * in any case. */
+/* Divide by the greatest common divisor of the entries; a zero vec is unchanged. Wide vecs that fit
+ * become small again unless k->wide_only. Errors: MEMORY, LIMIT, the status of k->poll; the vec is
+ * valid even after an error. */
 fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k);
 
 /* dst = (|b_c|/g) a - sgn(a_c b_c) (|a_c|/g) b with g = gcd(a_c, b_c), which makes entry c zero,
@@ -107,10 +107,10 @@ int fmb_vec_compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_
 
 /* Sign of a.b over the first n entries. */
 int fmb_vec_product_sign(const fmb_vec *a, const fmb_vec *b, size_t n, fmb_num *k);
-/* Entry n of v, which has `width`, becomes row.v over the entries before it. Errors: MEMORY, LIMIT.
+/* Entry n of v, a vec of `width` entries, becomes row.v over the first n. Errors: MEMORY, LIMIT.
  */
 fmb_status fmb_vec_set_product(fmb_vec *v, size_t n, size_t width, const fmb_vec *row, fmb_num *k);
-/* The first n entries change their signs. */
+/* Change the signs of the first n entries. */
 void fmb_vec_negate(fmb_vec *v, size_t n);
 
 /* Equal in the first n entries. */
@@ -126,10 +126,10 @@ void fmb_vec_block_free(mpz_t *z, size_t n, fmb_mem *mem);
 
 /* ---- for the other files of this room -------------------------------------------------------- */
 
-/* Charge the limbs of a wide vec that has changed. Errors: LIMIT, MEMORY; the vec is good in any
- * case. */
+/* Charge the limbs of a wide vec that has changed. Errors: LIMIT, MEMORY; the vec is valid even
+ * then. */
 fmb_status fmb_vec_settle(fmb_vec *v, size_t n, fmb_mem *mem);
-/* Divide a small vec by its content, and measure it. */
+/* Divide a small vec by its content and recompute `bits`. */
 void fmb_vec_reduce_small(fmb_vec *v, size_t n);
 
 #endif

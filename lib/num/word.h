@@ -1,6 +1,6 @@
-/* word.h: words of 64 bits in GMP's integers. GMP's own functions take a long and give limbs, and
- * both have 32 bits on some targets; there a word is made an integer first. This file knows no
- * room: rules include it, too.
+/* word.h: GMP integers combined with words of 64 bits. GMP's own functions take a long and return
+ * limbs, both of 32 bits on some targets; there a word is converted to an integer first. This file
+ * includes no room: rules include it, too.
  */
 #ifndef FMB_NUM_WORD_H
 #define FMB_NUM_WORD_H
@@ -14,7 +14,7 @@
 
 #if ULONG_MAX >= UINT64_MAX && GMP_NUMB_BITS == 64 && !defined FMB_WORD_PLAIN
 #define FMB_WORD_IS_LONG
-typedef mp_limb_t fmb_word; /* the same as a uint64_t, perhaps by another name */
+typedef mp_limb_t fmb_word; /* a uint64_t, perhaps another type of that size */
 #else
 typedef uint64_t fmb_word;
 #endif
@@ -65,7 +65,7 @@ static inline uint64_t fmb_integer_modulo_u64(mpz_srcptr a, uint64_t m)
 {
     return mpz_fdiv_ui(a, m);
 }
-/* out = a / b, rounded towards 0; |what is left|. */
+/* out = a / b, rounded towards 0; returns the absolute value of the remainder. */
 static inline uint64_t fmb_integer_divide_u64(mpz_t out, mpz_srcptr a, uint64_t b)
 {
     return mpz_tdiv_q_ui(out, a, b);
@@ -80,7 +80,7 @@ static inline void fmb_integer_divide_exactly_u64(mpz_t out, mpz_srcptr a, uint6
 
 enum { FMB_LIMBS_OF_WORD = 64 / GMP_NUMB_BITS };
 
-/* A word as an integer that is only read. */
+/* A word as a read-only integer. */
 typedef struct fmb_word_integer {
     mpz_t z;
     mp_limb_t limb[FMB_LIMBS_OF_WORD];
@@ -156,7 +156,7 @@ static inline uint64_t fmb_integer_modulo_u64(mpz_srcptr a, uint64_t m)
     mpz_clear(rest);
     return low;
 }
-/* out = a / b, rounded towards 0; |what is left|. */
+/* out = a / b, rounded towards 0; returns the absolute value of the remainder. */
 static inline uint64_t fmb_integer_divide_u64(mpz_t out, mpz_srcptr a, uint64_t b)
 {
     fmb_word_integer room;
@@ -176,9 +176,9 @@ static inline void fmb_integer_divide_exactly_u64(mpz_t out, mpz_srcptr a, uint6
 
 #endif
 
-/* ---- what is made of these ------------------------------------------------------------------- */
+/* ---- made of the functions above ------------------------------------------------------------- */
 
-/* x, where fmb_integer_is_i64. */
+/* x as an int64_t; only if fmb_integer_is_i64. */
 static inline int64_t fmb_integer_get_i64(mpz_srcptr x)
 {
     uint64_t size = fmb_integer_low(x);
@@ -208,11 +208,11 @@ static inline void fmb_integer_set_128(mpz_t out, fmb_i128 x)
         mpz_neg(out, out);
 }
 
-/* ---- words in a row, the lowest one first ---------------------------------------------------- */
+/* ---- arrays of words, least significant first ------------------------------------------------ */
 
 #ifdef FMB_WORD_IS_LONG
 
-/* How many words |x| has, and one of them. */
+/* The number of words of |x|, and word k of them. */
 static inline size_t fmb_integer_words(mpz_srcptr x)
 {
     return mpz_size(x);
@@ -230,7 +230,7 @@ static inline void fmb_words_subtract(fmb_word *w, size_t n, uint64_t x)
 {
     mpn_sub_1(w, w, (mp_size_t)n, x);
 }
-/* w += f |x| or w -= f |x|, as many words as x has; what goes over into the next one. */
+/* w += f |x| or w -= f |x| over the words of x; returns the carry out of the highest word. */
 static inline uint64_t fmb_words_add_product(fmb_word *w, mpz_srcptr x, uint64_t f)
 {
     return mpn_addmul_1(w, mpz_limbs_read(x), (mp_size_t)mpz_size(x), f);
@@ -239,7 +239,7 @@ static inline uint64_t fmb_words_subtract_product(fmb_word *w, mpz_srcptr x, uin
 {
     return mpn_submul_1(w, mpz_limbs_read(x), (mp_size_t)mpz_size(x), f);
 }
-/* to = a b, n + m words. */
+/* to = a b, where a has n words, b has m, and `to` n + m. */
 static inline void fmb_words_multiply(fmb_word *to, const fmb_word *a, size_t n, const fmb_word *b,
                                       size_t m)
 {
@@ -248,12 +248,12 @@ static inline void fmb_words_multiply(fmb_word *to, const fmb_word *a, size_t n,
     else
         mpn_mul(to, b, (mp_size_t)m, a, (mp_size_t)n);
 }
-/* w += x, n words; what goes over into the next one. */
+/* w += x, both of n words; returns the carry out of the highest word. */
 static inline uint64_t fmb_words_add_words(fmb_word *w, const fmb_word *x, size_t n)
 {
     return mpn_add_n(w, w, x, (mp_size_t)n);
 }
-/* The same where x is one word. */
+/* w += f x or w -= f x, all of one word; returns the carry (borrow). */
 static inline uint64_t fmb_word_add_product(fmb_word *w, fmb_word x, uint64_t f)
 {
     return mpn_addmul_1(w, &x, 1, f);
@@ -265,7 +265,7 @@ static inline uint64_t fmb_word_subtract_product(fmb_word *w, fmb_word x, uint64
 
 #else
 
-/* How many words |x| has, and one of them. */
+/* The number of words of |x|, and word k of them. */
 static inline size_t fmb_integer_words(mpz_srcptr x)
 {
     return (mpz_size(x) + FMB_LIMBS_OF_WORD - 1) / FMB_LIMBS_OF_WORD;
@@ -294,7 +294,7 @@ static inline void fmb_words_subtract(fmb_word *w, size_t n, uint64_t x)
         x = was < x;
     }
 }
-/* w += f |x| or w -= f |x|, as many words as x has; what goes over into the next one. */
+/* w += f |x| or w -= f |x| over the words of x; returns the carry out of the highest word. */
 static inline uint64_t fmb_words_add_product(fmb_word *w, mpz_srcptr x, uint64_t f)
 {
     uint64_t carry = 0;
@@ -316,7 +316,7 @@ static inline uint64_t fmb_words_subtract_product(fmb_word *w, mpz_srcptr x, uin
     }
     return borrow;
 }
-/* to = a b, n + m words. */
+/* to = a b, where a has n words, b has m, and `to` n + m. */
 static inline void fmb_words_multiply(fmb_word *to, const fmb_word *a, size_t n, const fmb_word *b,
                                       size_t m)
 {
@@ -333,7 +333,7 @@ static inline void fmb_words_multiply(fmb_word *to, const fmb_word *a, size_t n,
         to[i + m] = carry;
     }
 }
-/* w += x, n words; what goes over into the next one. */
+/* w += x, both of n words; returns the carry out of the highest word. */
 static inline uint64_t fmb_words_add_words(fmb_word *w, const fmb_word *x, size_t n)
 {
     uint64_t carry = 0;
@@ -344,7 +344,7 @@ static inline uint64_t fmb_words_add_words(fmb_word *w, const fmb_word *x, size_
     }
     return carry;
 }
-/* The same where x is one word. */
+/* w += f x or w -= f x, all of one word; returns the carry (borrow). */
 static inline uint64_t fmb_word_add_product(fmb_word *w, fmb_word x, uint64_t f)
 {
     fmb_u128 sum = fmb_u128_plus_product(fmb_u128_of(*w), x, f);

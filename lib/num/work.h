@@ -1,5 +1,5 @@
-/* work.h: what arithmetic on integers takes, in steps of about a nanosecond (trace/run.h), by how
- * long they are. docs/experiments.md has what was measured.
+/* work.h: estimates of the time of integer arithmetic by the length of the numbers, in steps of
+ * about a nanosecond (trace/run.h). The measurements are in docs/experiments.md.
  */
 #ifndef FMB_NUM_WORK_H
 #define FMB_NUM_WORK_H
@@ -7,13 +7,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The sum of two products of numbers of so many limbs, over a third one. */
+/* (a b + c d) / e, all numbers of so many limbs. */
 static inline uint64_t fmb_limbs_work(size_t limbs)
 {
     return 35 + limbs * (10 + (uint64_t)limbs);
 }
 
-/* The greatest common divisor of two. */
+/* The greatest common divisor of two integers. */
 static inline uint64_t fmb_gcd_work(size_t limbs)
 {
     return limbs * (150 + 3 * (uint64_t)limbs / 2);

@@ -15,12 +15,12 @@ typedef struct fmb_planes {
 } fmb_planes;
 
 typedef struct fmb_kernels {
-    /* Set bit j of drop where a and set j have more than `most` elements together. */
+    /* Set bit j of drop if the union of a and set j has more than `most` elements. */
     void (*larger)(const fmb_planes *p, const uint64_t *a, int most, uint64_t *drop);
-    /* How many sets are subsets of u; counting stops at `enough` or a little later. */
+    /* How many sets are subsets of u; counting may stop once there are `enough`. */
     size_t (*inside)(const fmb_planes *p, const uint64_t *u, size_t enough);
-    /* dst = p a + q b, where all of them and all results are less than 2^62; the union of the bits
-     * of the absolute values. dst may be a. `narrow`: p, q, a, b are less than 2^31. */
+    /* dst = p a + q b, all less than 2^62 in absolute value; returns the bitwise or of the
+     * |dst[i]|. dst may be a. `narrow`: p, q, a, b are less than 2^31. */
     uint64_t (*combine)(int64_t *dst, const int64_t *a, const int64_t *b, size_t n, int64_t p,
                         int64_t q);
     uint64_t (*combine_narrow)(int64_t *dst, const int64_t *a, const int64_t *b, size_t n,
@@ -29,7 +29,7 @@ typedef struct fmb_kernels {
     void (*accumulate)(double *out, const double *x, size_t n, double y);
 } fmb_kernels;
 
-/* The kernels of that level, NULL if this processor (or compiler) has not got it. */
+/* The kernels of a level; NULL if this processor or compiler lacks its instructions. */
 const fmb_kernels *fmb_kernels_choose(fmb_simd level);
 
 /* ---- for the other files of this room -------------------------------------------------------- */
