@@ -27,7 +27,7 @@ fmb_status fmb_arena_reserve(fmb_arena *a, void **p, size_t *capacity, size_t ne
     fmb_arena_reserve(a, (void **)(p), capacity, need, sizeof **(p))
 void fmb_arena_reset(fmb_arena *a);
 
-/* How far the arena is filled; and take back all that it has handed out since. */
+/* A fill level of the arena; fmb_arena_rewind takes back what was handed out beyond it. */
 typedef struct fmb_arena_place {
     fmb_chunk *current;
     size_t at;
@@ -35,7 +35,7 @@ typedef struct fmb_arena_place {
 
 fmb_arena_place fmb_arena_tell(const fmb_arena *a);
 void fmb_arena_rewind(fmb_arena *a, fmb_arena_place to);
-/* Give back the chunks beyond what is handed out. */
+/* Free the chunks behind the last one in use. */
 void fmb_arena_trim(fmb_arena *a);
 void fmb_arena_clear(fmb_arena *a);
 

@@ -1,4 +1,4 @@
-/* arrays.h: the arrays of a structure, which come and go together: named once for both.
+/* arrays.h: the arrays of a structure, listed once both for allocating and for freeing them.
  *
  *   static fmb_status hold(body *b, bool get)
  *   {
@@ -11,10 +11,10 @@
 #include "base/mem.h"
 
 typedef struct fmb_array {
-    void *pointer; /* where the pointer to it is */
+    void *pointer; /* address of the pointer to the array */
     size_t count;
     uint32_t size; /* of an element [bytes] */
-    bool zero;     /* it comes with zeros in it */
+    bool zero;     /* allocated with zeros */
 } fmb_array;
 
 /* An array of that many elements, of the type that p points to. */
@@ -27,21 +27,21 @@ typedef struct fmb_array {
         &(p), (count), sizeof *(p), true                                                           \
     }
 
-/* get: each pointer gets a block, or NULL where there is no memory, so that all of them may be put
- * in any case. If not, blocks are put, and pointers are NULL. Errors: MEMORY, LIMIT. */
+/* get: allocate the arrays; after an error the others are NULL, so all may be freed even then. Else
+ * free them and set the pointers to NULL. Errors: MEMORY, LIMIT. */
 fmb_status fmb_arrays(fmb_mem *m, bool get, const fmb_array *array, size_t n);
 #define FMB_ARRAYS(m, get, ...)                                                                    \
     fmb_arrays(m, get, (const fmb_array[]){__VA_ARGS__},                                           \
                sizeof((const fmb_array[]){__VA_ARGS__}) / sizeof(fmb_array))
-/* The same in one block, for arrays that are all put as they were got: then each is where the first
- * one's block is, and is never put or grown alone. */
+/* Like fmb_arrays, but with one block for all arrays: freed only together, with the same list, as
+ * the first pointer is the address of the block; none of them may be freed or grown alone. */
 fmb_status fmb_arrays_in_block(fmb_mem *m, bool get, const fmb_array *array, size_t n);
 #define FMB_ARRAYS_IN_BLOCK(m, get, ...)                                                           \
     fmb_arrays_in_block(m, get, (const fmb_array[]){__VA_ARGS__},                                  \
                         sizeof((const fmb_array[]){__VA_ARGS__}) / sizeof(fmb_array))
-/* A list of them and how many. */
+/* For argument lists: an array and the number of its elements. */
 #define FMB_ALL(arrays) (arrays), sizeof(arrays) / sizeof *(arrays)
-/* The same of those that have grown one by one, each to a capacity of its own. */
+/* Free arrays that have grown one by one, each with its own capacity as the count. */
 #define FMB_ARRAYS_PUT(m, ...) (void)FMB_ARRAYS(m, false, __VA_ARGS__)
 
 #endif

@@ -1,10 +1,10 @@
-/* clock.h: clocks; the one on the wall is what limits go by. The programs use them, too. */
+/* clock.h: clocks. Time limits go by the monotonic one. The programs use this file, too. */
 #ifndef FMB_BASE_CLOCK_H
 #define FMB_BASE_CLOCK_H
 
 #include <time.h>
 
-/* What a clock of POSIX shows [s]. */
+/* The time of a POSIX clock [s]. */
 static inline double fmb_clock_seconds(clockid_t clock)
 {
     struct timespec t;
@@ -12,7 +12,7 @@ static inline double fmb_clock_seconds(clockid_t clock)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Since some moment that does not change [s]. */
+/* Seconds since some fixed moment. */
 static inline double fmb_monotonic_seconds(void)
 {
     return fmb_clock_seconds(CLOCK_MONOTONIC);

@@ -1,13 +1,13 @@
-/* line.h: lines of a stream, piece by piece. Programs see it, too: it compiles into them. */
+/* line.h: lines of a stream, piece by piece. The programs compile this file, too. */
 #ifndef FMB_BASE_LINE_H
 #define FMB_BASE_LINE_H
 
 #include <stdio.h>
 #include <string.h>
 
-/* n > 1 bytes of room: at most n - 1 up to a line end are put there, and counted; 0 at the end of
- * the stream. fgets does not tell how many they are where some are NUL: it puts one behind the
- * last, and leaves line ends where it does not come. */
+/* Read at most n - 1 bytes, up to a line end, into to[n], n > 1; returns how many, 0 at the end of
+ * the stream. fgets does not return that number, which matters if bytes are NUL: so the buffer is
+ * filled with line ends first, which shows where fgets put its own NUL. */
 static inline size_t fmb_fetch_part_of_line(FILE *in, char *to, size_t n)
 {
     if (!to) /* gcc does not see that there is room, and warns with sanitizers */

@@ -13,15 +13,15 @@
 /* A status that never leaves the library: a limit was reached, and fmb_run knows which. */
 #define FMB_LIMIT ((fmb_status)100)
 
-/* What goes wrong in the call is what goes wrong in the function that makes it, which ends here:
- * for functions of a status that have nothing to clean up. */
+/* Return from the calling function with the status of the call if that is not FMB_OK: for functions
+ * that return a status and have nothing to clean up. */
 #define FMB_TRY(call)                                                                              \
     do {                                                                                           \
         fmb_status fmb_tried = (call);                                                             \
         if (fmb_tried != FMB_OK)                                                                   \
             return fmb_tried;                                                                      \
     } while (0)
-/* The call if all has gone well up to here, which st says, and how that went: where there is
+/* Make the call only if st is still FMB_OK, and put its status into st: for functions that have
  * something to clean up. */
 #define FMB_THEN(st, call)                                                                         \
     do {                                                                                           \
@@ -33,43 +33,43 @@ typedef struct fmb_mem {
     fmb_alloc alloc;
     size_t used, peak, limit; /* [bytes]; limit 0 = none */
     bool over;                /* the last failure was the limit, not the allocator */
-    struct fmb_mem *within;   /* where all this counts too, or NULL */
+    struct fmb_mem *within;   /* the outer mem that counts all this too, or NULL */
 } fmb_mem;
 
-/* hook NULL means malloc. */
+/* hook NULL: malloc. */
 void fmb_mem_init(fmb_mem *m, const fmb_alloc *hook, size_t limit);
 
-/* count * size bytes, or NULL: then fmb_mem_status says why. A request of 0 bytes gets a block. */
+/* count * size bytes; NULL on failure: see fmb_mem_status. 0 bytes get a block, too. */
 void *fmb_mem_get(fmb_mem *m, size_t count, size_t size);
 void *fmb_mem_zero(fmb_mem *m, size_t count, size_t size);
-/* A block of old * size bytes becomes one of count * size; on NULL the old one still stands. */
+/* Resize a block of old * size bytes to count * size; NULL on failure, the old block then stays. */
 void *fmb_mem_grow(fmb_mem *m, void *p, size_t old, size_t count, size_t size);
 void fmb_mem_put(fmb_mem *m, void *p, size_t count, size_t size);
 
-/* The same by the type of p, which the block goes to (NULL if there is none): a status. */
+/* Macros whose value is a status: p, whose type gives `size`, becomes the block or NULL. */
 #define FMB_GET(m, p, count)                                                                       \
     ((p) = fmb_mem_get(m, count, sizeof *(p)), (p) ? FMB_OK : fmb_mem_status(m))
 #define FMB_GET_ZERO(m, p, count)                                                                  \
     ((p) = fmb_mem_zero(m, count, sizeof *(p)), (p) ? FMB_OK : fmb_mem_status(m))
 
-/* Grow *p, an array of *capacity elements, to hold at least need, by doubling; the second knows
- * the size of an element by the type of p. */
+/* Grow *p, an array of *capacity elements, by doubling to hold at least need; the macro takes the
+ * size of an element from the type of p. */
 fmb_status fmb_mem_reserve(fmb_mem *m, void **p, size_t *capacity, size_t need, size_t size);
 #define FMB_RESERVE(m, p, capacity, need)                                                          \
     fmb_mem_reserve(m, (void **)(p), capacity, need, sizeof **(p))
 
-/* Count bytes that come from elsewhere; false (nothing charged) if the limit forbids it. */
+/* Charge bytes allocated elsewhere; false, and nothing charged, if the limit forbids it. */
 bool fmb_mem_charge(fmb_mem *m, size_t bytes);
 void fmb_mem_refund(fmb_mem *m, size_t bytes);
-/* Count bytes that are there already, whatever the limit. */
+/* Charge bytes that are allocated already, even beyond the limit. */
 void fmb_mem_take(fmb_mem *m, size_t bytes);
 
-/* From now on what m holds counts in outer too; what it holds already is counted whatever the limit
- * there. Until fmb_mem_leave. */
+/* Until fmb_mem_leave, everything that m holds counts in outer too; what m holds already is charged
+ * to outer even beyond its limit. */
 void fmb_mem_enter(fmb_mem *m, fmb_mem *outer);
 void fmb_mem_leave(fmb_mem *m);
 
-/* FMB_LIMIT or FMB_ERR_MEMORY, after a failure. */
+/* After a failure: FMB_LIMIT if it was the limit, else FMB_ERR_MEMORY. */
 fmb_status fmb_mem_status(const fmb_mem *m);
 
 /* A copy of a string, released with fmb_mem_put_text. */

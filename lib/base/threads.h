@@ -1,11 +1,11 @@
-/* threads.h: threads that stay for many rounds of jobs.
+/* threads.h: a pool of threads for many rounds of jobs.
  *
- * The caller works as well, as thread 0. Between rounds the others sleep: to wait awake costs more
- * than it gains where rounds are short and the processor has other things to do. Jobs are taken in
- * the order of their numbers, so what must happen in that order can wait for its turn.
+ * The caller works as well, as thread 0. Between rounds the other threads sleep: busy waiting costs
+ * more than it gains where rounds are short and the processor has other work. Jobs are taken in the
+ * order of their numbers, so steps that must happen in that order can wait for their turn.
  *
- * Invariants: jobs below `next` are taken, `done` of them are over, those below `turn` have had
- * their turn. A crowd of threads must not move.
+ * Invariants: jobs below `next` are taken, `done` of them are finished, those below `turn` have had
+ * their turn. The structure must not move while it is open.
  */
 #ifndef FMB_BASE_THREADS_H
 #define FMB_BASE_THREADS_H
@@ -19,22 +19,22 @@ typedef void (*fmb_thread_job)(void *self, size_t k, size_t thread);
 
 typedef struct fmb_threads {
     fmb_mem *mem;
-    pthread_t *thread;                 /* [room] besides the caller's */
-    size_t size, room;                 /* the system may grant fewer than asked for */
+    pthread_t *thread;                 /* [room] without the caller */
+    size_t size, room;                 /* the system may grant fewer than wanted */
     pthread_mutex_t lock;              /* for all below */
-    pthread_cond_t work, idle, turned; /* there is a job; all are done; another turn */
+    pthread_cond_t work, idle, turned; /* new jobs; all jobs done; next turn */
     fmb_thread_job job;
     void *self;
     size_t jobs, next, done, turn;
-    size_t begun; /* threads that have taken their number */
+    size_t begun; /* threads that have started, to number them */
     bool over;
 } fmb_threads;
 
-/* So many threads with the caller's, if the system grants them. Errors: MEMORY, LIMIT. In any case
- * fmb_threads_close it; a zeroed one may be closed as well. */
+/* `wanted` threads with the caller, or fewer if the system refuses. Errors: MEMORY, LIMIT. The
+ * caller must call fmb_threads_close even after an error; closing a zeroed structure is fine. */
 fmb_status fmb_threads_open(fmb_threads *t, fmb_mem *mem, size_t wanted);
-/* Jobs 0 to jobs - 1: the other threads begin with them; the caller may do something else before it
- * joins them, until all are done. */
+/* Jobs 0 to jobs - 1. After _start the other threads begin them while the caller may do something
+ * else; in _finish the caller joins in, until all jobs are done. */
 void fmb_threads_start(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self);
 void fmb_threads_finish(fmb_threads *t);
 static inline void fmb_threads_do(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self)
@@ -42,8 +42,8 @@ static inline void fmb_threads_do(fmb_threads *t, size_t jobs, fmb_thread_job jo
     fmb_threads_start(t, jobs, job, self);
     fmb_threads_finish(t);
 }
-/* In job k: wait until all jobs before it have ended their turn; then end that of k. Each job does
- * both, or none does. */
+/* Within job k: wait until all earlier jobs have ended their turn; then end the turn of job k.
+ * Either all jobs of a round do both, or none does. */
 void fmb_threads_begin_turn(fmb_threads *t, size_t k);
 void fmb_threads_end_turn(fmb_threads *t);
 void fmb_threads_close(fmb_threads *t);

@@ -1,14 +1,14 @@
-/* ways.h: the engines and tricks that answers do not depend on, each with a switch.
+/* ways.h: the optional engines and tricks, on which no answer depends, each with a switch.
  *
- * Nothing here changes what is right: where a way is switched off, another one answers. A build
- * with -Dablate=true (FMB_ABLATE) can switch each of them off and counts how often it was asked and
- * how often it answered; bench/ablate makes docs/ways.md of that. In every other build all ways are
- * on, and nothing of this file is left in the code.
+ * A switch never changes an answer: if a way is off, another one computes it. A build with
+ * -Dablate=true (FMB_ABLATE) can switch each way off, and counts how often it was asked and how
+ * often it answered; bench/ablate makes docs/ways.md of these counts. In every other build all ways
+ * are on, and this file leaves no code behind.
  *
  *   if (suits && fmb_way(FMB_WAY_RECESSION)) ... fmb_way_answered(FMB_WAY_RECESSION, done);
  *
- * A row: identifier, name, the files that would go with it (room/name, without .c or .h; a star for
- * all of a room), and what it is. A way that stays in the library pays: docs/ways.md.
+ * A row: identifier, name, the files that only this way needs (room/name, without .c or .h; a star
+ * for all of a folder), and a description. A way stays in the library while it pays: docs/ways.md.
  */
 #ifndef FMB_BASE_WAYS_H
 #define FMB_BASE_WAYS_H
@@ -80,11 +80,11 @@ typedef struct fmb_ways {
     unsigned long long asked[FMB_WAY_COUNT], answered[FMB_WAY_COUNT];
 } fmb_ways;
 
-/* Where the switches and counts are; bench/ablate puts them into memory that processes share. Not
- * for several threads. */
+/* The switches and counts; bench/ablate puts them into memory shared between processes. Not for
+ * several threads. */
 extern fmb_ways *fmb_ways_at_hand;
 
-/* Is the way on? It is asked, then. */
+/* Is the way on? Counts the question, too. */
 static inline bool fmb_way(fmb_way_id way)
 {
     fmb_ways_at_hand->asked[way]++;
