@@ -1,4 +1,4 @@
-/* rule_private.h: the built-in rules that need nothing but the window of <fmb/rule.h>, one a file.
+/* rule_private.h: the built-in rules that need only the window of <fmb/rule.h>, one rule a file.
  */
 #ifndef FMB_RULE_RULE_PRIVATE_H
 #define FMB_RULE_RULE_PRIVATE_H
