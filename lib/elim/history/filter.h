@@ -1,15 +1,15 @@
-/* filter.h: histories side by side, so that many pairs are refused at once.
+/* filter.h: histories stored side by side, so that many pairs are refused at once.
  *
- * At the first question of a round the histories of its upper rows, or of all live rows, are laid
- * out in planes for the vector kernels. A row that said nothing (0 <= 3) leaves its history behind:
- * it still covers others.
+ * At the first query of a round the histories of its upper rows, or of all live rows, are laid out
+ * in planes for the vector kernels. The history of a row that holds trivially (0 <= 3) is kept
+ * after the row is dropped: it still covers other rows.
  */
 #ifndef FMB_ELIM_FILTER_H
 #define FMB_ELIM_FILTER_H
 
 #include "elim/store/store.h"
 
-/* Planes that grow. */
+/* Planes in an array that grows. */
 typedef struct fmb_layout {
     uint64_t *bits;
     size_t capacity; /* words */
@@ -19,22 +19,22 @@ typedef struct fmb_layout {
 
 typedef struct fmb_filter {
     fmb_layout uppers, rows;
-    const uint64_t **silent; /* histories of rows that said nothing since the base */
+    const uint64_t **silent; /* histories of trivial rows since the base */
     size_t silents, silent_capacity;
-    bool wants_silent; /* some rule has asked what covers a pair */
+    bool wants_silent; /* some rule has queried coverage */
     uint64_t *drop;    /* [capacity] bits of the upper rows, for the rules */
     size_t drop_capacity;
 } fmb_filter;
 
-/* A new round of this base; a new base. */
+/* fmb_filter_new_round: another round of this base; fmb_filter_forget: another base. */
 void fmb_filter_new_round(fmb_filter *f);
 void fmb_filter_forget(fmb_filter *f);
 void fmb_filter_clear(fmb_filter *f, fmb_mem *mem);
 
-/* All false bits for so many upper rows, or NULL. */
+/* A bit set for so many upper rows, all bits 0; NULL on failure. */
 uint64_t *fmb_filter_bits(fmb_filter *f, size_t uppers, fmb_mem *mem);
 
-/* The row at the end of the store says nothing: is its history kept, as it can cover others? */
+/* The row at the end of the store is trivial: is its history kept, as it may cover others? */
 fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept);
 
 /* Pairs of a row with the round's upper rows upper[0..uppers): set their bit in drop where the

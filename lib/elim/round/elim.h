@@ -1,4 +1,4 @@
-/* elim.h: Fourier-Motzkin elimination on integer rows that know where they come from.
+/* elim.h: Fourier-Motzkin elimination on integer rows with their derivations.
  *
  * A round eliminates one variable: by substitution if an equality contains it, else by pairing rows
  * of opposite sign. Source: Fourier 1827; Motzkin 1936; Schrijver 1986, section 12.2.
@@ -8,7 +8,7 @@
 
 #include "elim/store/store.h"
 
-/* What a caller decides; borrowed. */
+/* Options of the caller; borrowed. */
 typedef struct fmb_elim_options {
     fmb_order order;
     fmb_rebase rebase;
@@ -19,16 +19,16 @@ typedef struct fmb_elim_options {
     int rules;
 } fmb_elim_options;
 
-/* An empty store over n variables. Errors: MEMORY, LIMIT. In any case fmb_elim_clear it. */
+/* An empty store over n variables. Errors: MEMORY, LIMIT; call fmb_elim_clear even then. */
 fmb_status fmb_elim_init(fmb_elim *e, fmb_run *run, fmb_arena *arena, int n,
                          const fmb_elim_options *o);
 void fmb_elim_clear(fmb_elim *e);
 
-/* Drop live rows as the rules say, between rounds. */
+/* Between rounds: drop the live rows that the rules refuse. */
 fmb_status fmb_elim_prune(fmb_elim *e);
 
-/* Eliminate all variables with drop[var], in the engine's order, until done, a row clashes or, if
- * the store is so set, what comes next is not cheap; or until it pauses. */
+/* Eliminate all variables with drop[var], in the engine's order, until all are done, a row clashes,
+ * or, with cheap_only, the next variable is not cheap; or until it pauses. */
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop);
 
 #endif

@@ -1,8 +1,8 @@
-/* mark.h: an elimination as it was, to come back to it and go on another way.
+/* mark.h: a saved state of an elimination, to return to it and continue differently.
  *
- * Rows made since are forgotten, and their memory is used again. Everything that the elimination
- * and its rules knew is known again; only counters of work go on. A mark may be returned to any
- * number of times, but not after an earlier mark has been returned to.
+ * Returning forgets the rows made since the mark and reuses their memory. The state of the
+ * elimination and of its rules is restored; only counters of work keep their values. A mark may be
+ * returned to any number of times, but not after a return to an earlier mark.
  */
 #ifndef FMB_ELIM_MARK_H
 #define FMB_ELIM_MARK_H
@@ -16,16 +16,16 @@ typedef struct fmb_kept_copy {
 } fmb_kept_copy;
 
 typedef struct fmb_mark {
-    fmb_elim then; /* what pointers show is changed by rounds, but for the copies below */
+    fmb_elim then; /* rounds change the pointees, except those copied below */
     fmb_kept_copy kept[7 + FMB_MAX_RULES];
     int keeps;
-    uint64_t **history; /* [live]: a re-base gives live rows new ones */
+    uint64_t **history; /* [live]: a re-base replaces those of live rows */
     const uint64_t **silent;
     size_t silents, silent_capacity;
     fmb_arena_place place;
 } fmb_mark;
 
-/* Can the state of every rule be copied? Not if it owns something (fmb_rule.clear). */
+/* Can the state of every rule be copied? Not if a rule owns memory (fmb_rule.clear). */
 bool fmb_mark_possible(const fmb_elim *e);
 
 /* Between rounds. Errors: MEMORY, LIMIT. */

@@ -1,22 +1,22 @@
-/* prune.h: asking rules: who is asked when. It keeps history rules and the others apart. */
+/* prune.h: calls the rules at the right moments, with history rules and the others kept apart. */
 #ifndef FMB_ELIM_PRUNE_H
 #define FMB_ELIM_PRUNE_H
 
 #include "elim/store/store.h"
 
-/* Rules that read no histories may drop base rows before they are base rows. Errors: any. */
+/* Let rules that read no histories drop live rows before these become the base. Errors: any. */
 fmb_status fmb_rules_drop_base_rows(fmb_elim *e);
 
-/* Pairs of the i-th lower row of the round, whose lowers come first, with its upper rows: set the
- * bits of those that are refused. Errors: any. */
+/* Set the bits of the refused pairs of the i-th lower row with the upper rows of the round, whose
+ * lower rows come first. Errors: any. */
 fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lowers, size_t i,
                                   uint64_t *drop);
 
 /* The rule that drops the row at the end of the store, or NULL. Errors: any. */
 fmb_status fmb_rules_drop_row(fmb_elim *e, const fmb_rule **by);
 
-/* What the rules say when a round of var (-1: none) has ended. A rule may pause (e->at.pruning):
- * the next call goes on with it. Errors: any. */
+/* Let the rules drop rows at the end of a round of var (-1: none). A rule may pause
+ * (e->at.pruning): the next call continues with it. Errors: any. */
 fmb_status fmb_rules_end_round(fmb_elim *e, int var);
 
 #endif

@@ -5,8 +5,8 @@
 #include "elim/store/store.h"
 #include "num/weights.h"
 
-/* Replace the rows named in w by the base rows they come from: the combination stays the same. Each
- * base row appears once; weights of inequalities keep their sign. */
+/* Replace the rows in w by the base rows they are derived from, without changing the combination.
+ * Each base row appears once; weights of inequalities keep their sign. */
 fmb_status fmb_elim_derive(const fmb_elim *e, fmb_weights *w);
 
 #endif

@@ -1,15 +1,15 @@
-/* store.h: rows that know where they come from, and all that an elimination knows of them.
+/* store.h: rows with their derivations, and the state of an elimination.
  *
- * Rows live in one store and never move; a row is named by its number. A *base* row was put in; any
- * other is a combination of two earlier rows that cancels one variable, so the store is a
- * derivation from which multipliers over the base rows can be read (derive.h), and the rows that
- * each round removed are all that back-substitution needs (witness.h). Rows are primitive integer
- * vectors: n coefficients and the right side, a.x <= b, < b or = b.
+ * Rows are in one store and never move; a row is referred to by its number. A *base* row was added
+ * from outside; any other row is a combination of two earlier rows that cancels one variable, so
+ * the store is a derivation from which multipliers over the base rows can be read (derive.h), and
+ * the rows that each round removed suffice for back-substitution (witness.h). Rows are primitive
+ * integer vectors: n coefficients and the right side, a.x <= b, < b or = b.
  *
- * Variables are numbered 0 <= var < n here; which of the system's they are, the run knows (var_of).
+ * Variables are numbered 0 <= var < n here; the run maps them to those of the system (var_of).
  *
- * Histories (history.h) are kept from a *base* on: the rows alive when the first pairs were made
- * after the start, after a substitution, or after a rule dropped rows for reasons of its own.
+ * Histories (history.h) are kept from a *base* on: the rows live when the first pairs were made
+ * after the start, after a substitution, or after a rule dropped rows without regard to histories.
  */
 #ifndef FMB_ELIM_STORE_H
 #define FMB_ELIM_STORE_H
@@ -28,11 +28,11 @@ typedef struct fmb_derived {
     fmb_vec v;
     uint64_t *history; /* [words] of the base in force when it was made, then [var_words] variables
                           eliminated */
-    uint64_t *names;   /* [var_words] the variables that stand in it */
+    uint64_t *names;   /* [var_words] the variables in the row */
     uint32_t p, q;     /* parents; FMB_NO_ROW for a base row; q alone: the reverse of p */
     int32_t var;       /* the variable they cancelled */
     bool strict, equality;
-    bool lowest; /* known to have no common divisor */
+    bool lowest; /* known to be primitive */
 } fmb_derived;
 
 static inline fmb_rel fmb_derived_rel(const fmb_derived *r)
@@ -40,26 +40,26 @@ static inline fmb_rel fmb_derived_rel(const fmb_derived *r)
     return r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
 }
 
-/* What a round removed: the rows in which var stood, in the order found. */
+/* What a round removed: the rows that contain var, in the order found. */
 typedef struct fmb_round {
     uint32_t *row;
     size_t rows;
     int var;
-    bool equality; /* row[0] is an equality, solved for var; the others are its results' parents */
+    bool equality; /* row[0] is an equality, solved for var and substituted */
 } fmb_round;
 
-/* What was counted before a round, to be told as differences. */
+/* Counters before a round; events report the differences. */
 typedef struct fmb_tally {
     size_t live, rows;
     uint64_t pairs, made, dropped, widened;
 } fmb_tally;
 
-/* A round in which lower rows before `next` have been paired; at its end a rule may pause, too. */
+/* A round whose lower rows before `next` have been paired; at its end a rule may pause, too. */
 typedef struct fmb_pairing {
-    bool running, pruning;          /* paused among its pairs; or while a rule looks at all rows, */
-    int pruner;                     /* which is this worker, */
-    void *look;                     /* which keeps here what it has found, */
-    void (*close_look)(void *look); /* to be closed so by fmb_elim_clear */
+    bool running, pruning;          /* among its pairs; within a rule that tests all rows, */
+    int pruner;                     /* that of this worker, */
+    void *look;                     /* with its results so far, */
+    void (*close_look)(void *look); /* which fmb_elim_clear closes so */
     size_t lowers, next;
     fmb_tally before;
 } fmb_pairing;
@@ -70,32 +70,32 @@ typedef struct fmb_list {
     size_t size, capacity;
 } fmb_list;
 
-/* A rule at work. */
+/* A rule with its state. */
 typedef struct fmb_worker {
     const fmb_rule *rule;
     void *state;      /* [rule->state_bytes] */
     uint64_t dropped; /* pairs and rows, in this round */
 } fmb_worker;
 
-/* Steps that may be left out for study. */
+/* Steps that can be switched off for studies. */
 typedef enum fmb_step {
     FMB_STEP_EQUALITIES = 1, /* substitute equalities */
-    FMB_STEP_COMPONENTS = 2, /* part by part */
+    FMB_STEP_COMPONENTS = 2, /* connected components one by one */
     FMB_STEP_ONESIDED = 4,   /* variables of one sign first */
     FMB_STEP_BOUNDS = 8,     /* the tightest row with one variable of each side makes a box */
     FMB_STEP_REFUTE = 16     /* a row that the box refutes ends the elimination */
 } fmb_step;
 
-/* The box that rows with one variable make (exact_intervals.h). Ends are multiples of 1 / unit, so
- * that a row is compared in integers. */
+/* The box of the rows with one variable (exact_intervals.h). Ends are multiples of 1 / unit, so
+ * that rows are compared with it in integers. */
 typedef struct fmb_box_rows {
-    uint32_t *row[2]; /* [side][n]: the row that makes the end, FMB_NO_ROW where there is none */
+    uint32_t *row[2]; /* [side][n]: the row of the end, or FMB_NO_ROW */
     int64_t *end[2];  /* [side][n]: unit times the end */
     int64_t unit;
-    int bits;        /* of every end, of unit and of room */
+    int bits;        /* bound on those of every end, unit and room */
     bool any;        /* there is an end */
-    uint32_t budget; /* a base row sum s_j x_j <= c over variables with an end where s_j x_j is
-                        least, some without the other one; FMB_NO_ROW: there is none */
+    uint32_t budget; /* base row sum s_j x_j <= c over variables with an end where s_j x_j is
+                        least, some without the other end; FMB_NO_ROW: none */
     int64_t room;    /* unit times (c - the least of sum s_j x_j) >= 0 */
     uint64_t *hard;  /* [words] base rows that make the ends and the budget */
 } fmb_box_rows;
@@ -112,31 +112,31 @@ typedef struct fmb_elim {
     fmb_worker worker[FMB_MAX_RULES];
     int workers;
     bool histories;     /* some rule needs them */
-    uint64_t constants; /* rows of this round that said nothing */
+    uint64_t constants; /* trivial rows of this round */
 
     fmb_derived *row;
     size_t rows, row_capacity;
-    int64_t *spare; /* words of a row that was given up, or NULL */
+    int64_t *spare; /* words of a forgotten row, or NULL */
     uint64_t *spare_history;
-    fmb_list live, next; /* rows alive; rows alive after the round being made */
+    fmb_list live, next; /* live rows; live rows after this round */
     fmb_round *round;    /* [n], in the order made */
     int rounds;
-    int *candidate; /* [n] scratch of the choice */
+    int *candidate; /* [n] scratch of order.c */
 
-    bool cheap_only; /* stop before a variable that makes more rows than go: set it after init */
+    bool cheap_only; /* stop before rows would become more: set it after init */
     double growth;   /* > 0: the budget is used up before a variable that makes so many times more
                        rows than are alive, unless the box holds it (elim.c), and where more than
                        twice `flat` rows are alive: set both after init */
     size_t flat;
-    size_t judged;    /* rows that rules saw at the end of a round are before it */
-    size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */
-    bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
-    bool pauses;      /* where a slice of the run is over, it ends with FMB_LIMIT, */
-    bool paused;      /* and the next call goes on from there: set the former after init */
-    fmb_pairing at;   /* the round on its way */
+    size_t judged;    /* rows before it were seen by rules at the end of a round */
+    size_t budget;    /* most rows of the store, 0 = any number: set it after init */
+    bool over_budget; /* budget exceeded: the elimination ended with FMB_LIMIT */
+    bool pauses;      /* at the end of a slice it returns FMB_LIMIT, */
+    bool paused;      /* and the next call continues: set `pauses` after init */
+    fmb_pairing at;   /* the round in progress */
 
     bool based;                /* the live rows' histories are valid */
-    bool broken;               /* in this round a rule refused pairs or rows that they count on */
+    bool broken;               /* in this round a rule refused pairs or rows that they need */
     uint32_t *base;            /* [bases] */
     size_t bases, words;       /* words of a history */
     size_t var_words;          /* words of a set of variables */
@@ -147,13 +147,13 @@ typedef struct fmb_elim {
     uint32_t clash; /* a row that no point satisfies (0 <= -1, 0 < 0, 0 = 1), or FMB_NO_ROW */
 } fmb_elim;
 
-/* Add a base row (copied, [n + 1], primitive): its number is the count of rows before it. */
+/* Add a base row (copied, [n + 1], primitive); its number is the number of rows before it. */
 fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel);
 
-/* Take equality i, a base row, for two inequalities: itself and its reverse, a new row. */
+/* Treat equality i, a base row, as two inequalities: itself and its reverse, a new row. */
 fmb_status fmb_elim_split(fmb_elim *e, uint32_t i);
 
-/* The first variable in the row from `from` on, or -1. All of them: for (int j =
+/* The first variable of the row from number `from` on, or -1. All of them: for (int j =
  * fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1)). */
 static inline int fmb_elim_next_variable(const fmb_elim *e, const fmb_derived *r, int from)
 {
@@ -180,24 +180,23 @@ static inline int fmb_elim_single_variable(const fmb_elim *e, const fmb_derived 
     return fmb_elim_count_variables(e, r) == 1 ? fmb_elim_next_variable(e, r, 0) : -1;
 }
 
-/* About as long is a minor of all columns still there, if rows are like the mean of those alive,
- * and a word where they are longer [bits]. */
+/* Estimated bits of a minor of all remaining columns: their number times the mean bits of the live
+ * rows, where a wide row counts as 64 bits. */
 size_t fmb_elim_minor_bits(const fmb_elim *e);
-/* With minors of so many bits, exact linear programs become slow. */
+/* With minors of this many bits, exact linear programs become slow. */
 #define FMB_LONG_MINOR 120
 
-/* Combine p and q so that var is cancelled, without asking anybody: *out is the new row, which is
- * not alive. */
+/* Combine p and q to cancel var, whatever the rules say: *out is the new row, which is not live. */
 fmb_status fmb_elim_derive_row(fmb_elim *e, uint32_t p, uint32_t q, int var, uint32_t *out);
 
 /* ---- for the other files of this room -------------------------------------------------------- */
 
-/* The same, at the end of the store and not counted yet; e->rows++ keeps it. */
+/* The same at the end of the store, but not counted yet; e->rows++ keeps the row. */
 fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var);
-/* Forget the row at the end of the store; its memory serves the next one. */
+/* Forget the row at the end of the store; the next one reuses its memory. */
 void fmb_elim_forget_row(fmb_elim *e, bool keep_history);
 
-/* Does the row name no variable? */
+/* Does the row contain no variable? */
 static inline bool fmb_elim_is_constant(const fmb_elim *e, const fmb_derived *r)
 {
     return fmb_elim_next_variable(e, r, 0) < 0;

@@ -1,4 +1,4 @@
-/* tiny.h: is a tiny system feasible? Elimination on the stack, without any allocation. */
+/* tiny.h: feasibility of tiny systems: elimination on the stack, without any allocation. */
 #ifndef FMB_ELIM_TINY_H
 #define FMB_ELIM_TINY_H
 
@@ -7,15 +7,15 @@
 #include "num/vec.h"
 
 /* FMB_FEASIBLE or FMB_INFEASIBLE, both exact; or FMB_UNKNOWN if s is too large, has an equality, or
- * needs more rows or larger numbers than there is room for. The elimination is the engine's with
+ * needs more rows or larger numbers than the tables hold. The elimination is the engine's with the
  * rules kohler and box, order pairs and all steps; its rounds, pairs and rows are counted in
  * *stats. Needs 40 KB of stack. */
 fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats);
 
-/* Of m small rows a.x <= b over n columns, each of which names some: FMB_FEASIBLE if a point is
- * strictly inside of all; FMB_INFEASIBLE if there is none, and then bit i of *tight tells whether
- * row i has a part in a sum of positive multiples of rows that says 0 <= 0, and is an equality
- * where they hold, or 0 <= b < 0. FMB_UNKNOWN as above. */
+/* For m small rows a.x <= b over n columns, none of them constant: FMB_FEASIBLE if a point
+ * satisfies all of them strictly; FMB_INFEASIBLE if none does, and then *tight is the set of rows
+ * in a combination with positive multipliers that is 0 <= 0, so that they are implicit equalities,
+ * or 0 <= b < 0. FMB_UNKNOWN as above. */
 fmb_verdict fmb_tiny_find_tight(size_t n, size_t m, const fmb_vec *row, uint64_t *tight);
 
 #endif
