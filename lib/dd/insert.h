@@ -1,11 +1,11 @@
-/* insert.h: one row comes into a cone; see cone.h. */
+/* insert.h: inserts one row into a cone; see cone.h. */
 #ifndef FMB_DD_INSERT_H
 #define FMB_DD_INSERT_H
 
 #include "dd/cone.h"
 #include "dd/edges.h"
 
-/* Sets in planes, as the kernels want them. */
+/* Supports in planes, the layout of the kernels. */
 typedef struct fmb_support_planes {
     uint64_t *word; /* [capacity] */
     size_t capacity;
@@ -13,10 +13,10 @@ typedef struct fmb_support_planes {
     bool ready;
 } fmb_support_planes;
 
-/* What one thread needs to find the neighbours of a ray (adjacent.c). */
+/* Per thread: data for finding the neighbours of a ray (adjacent.c). */
 typedef struct fmb_adjacency {
-    fmb_support_planes near;  /* of all rays that share zeros enough with the one at hand */
-    uint64_t *far, *far_rest; /* bits: those of large, of rest that share too few */
+    fmb_support_planes near;  /* of all rays with enough zeros in common with this ray */
+    uint64_t *far, *far_rest; /* bit sets: rays of large, of rest with too few in common */
     size_t far_capacity, far_rest_capacity;
     uint32_t *nearby; /* the rays of near */
     size_t nearby_capacity;
@@ -29,12 +29,12 @@ typedef struct fmb_adjacency {
 /* Several threads (insert_workers.c). */
 typedef struct fmb_insertion_workers fmb_insertion_workers;
 
-/* A row that separates rays. Pairs are taken by the rays of the smaller side, one after another. */
+/* The insertion of a row that separates rays. Pairs are formed ray by ray of the smaller side. */
 typedef struct fmb_insertion {
     bool running;
-    size_t entry; /* of vectors: their value in the row */
+    size_t entry; /* entry of vectors: the value in the row */
     size_t row;
-    size_t rays;   /* before it */
+    size_t rays;   /* before the insertion */
     uint32_t *ray; /* [ray_capacity] the larger side, the smaller side, those with value 0 */
     int8_t *sign;  /* [sign_capacity] of each ray in the row, scratch */
     size_t ray_capacity, sign_capacity;
@@ -51,25 +51,25 @@ typedef struct fmb_insertion {
     fmb_insertion_workers *workers; /* or NULL */
 } fmb_insertion;
 
-/* Vectors have their value in the row at that entry. Errors: MEMORY, LIMIT. */
+/* Entry number `entry` of each vector is its value in the row. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry);
-/* Go on until it is done or c->made reaches `most`. Errors: MEMORY, LIMIT. */
+/* Continue until the row is inserted or c->made reaches `most`. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most);
 void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem);
 
-/* The row meets line number i. Errors: MEMORY, LIMIT. */
+/* Insert a row that is not zero on line number i. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_break_line(fmb_cone *c, size_t row, size_t entry, size_t i);
 
 /* ---- insert_pair.c --------------------------------------------------------------------------- */
 
-/* Ray number `at`, which is there, becomes that of the pair. Errors: MEMORY, LIMIT. */
+/* Replace ray number `at`, which exists, by the ray of the pair a, b. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_combine(const fmb_cone *c, size_t at, uint32_t a, uint32_t b,
                                  fmb_num *num);
-/* Add sign for each row to come where the ray is negative. */
+/* Add sign to negatives[] of each remaining row in which the ray is negative. */
 void fmb_cone_count_negatives(const fmb_cone *c, const fmb_vec *v, int sign, size_t *negatives);
-/* How much the ray counts in c->made. */
+/* How much the ray adds to c->made. */
 uint64_t fmb_ray_price(const fmb_vec *v);
-/* Steps that it takes to make one of so many entries (fmb_run_count). */
+/* Work of making a ray of so many entries (fmb_run_count). */
 static inline uint64_t fmb_work_of_ray(const fmb_vec *v, size_t width)
 {
     return 50 + fmb_vec_work(v, width);
@@ -77,9 +77,9 @@ static inline uint64_t fmb_work_of_ray(const fmb_vec *v, size_t width)
 
 /* ---- insert_workers.c ------------------------------------------------------------------------ */
 
-/* By several threads where that pays. The entry behind the coordinates of each line and ray becomes
- * its value in the row; the sign of each ray in the row at hand; an entry of each ray goes; edges
- * of simple rays. Errors: MEMORY, LIMIT. */
+/* By several threads where that pays, for each ray: set the entry behind the coordinates to the
+ * value in a row (of lines, too); find the sign in the row being inserted; remove an entry; find
+ * the edges if the ray is simple. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row);
 fmb_status fmb_insertion_find_signs(fmb_cone *c);
 fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry);
@@ -88,10 +88,10 @@ void fmb_insertion_dismiss_workers(fmb_insertion *s, fmb_mem *mem);
 
 /* ---- insert_batch.c -------------------------------------------------------------------------- */
 
-/* Are there threads, and enough for them to do? */
+/* Are there threads, and enough work for them? */
 bool fmb_insertion_is_work_for_workers(const fmb_cone *c);
-/* The next pairs, as if they were combined one after another: until c->made reaches `most`, or for
- * a while. Errors: MEMORY, LIMIT. */
+/* Combine the next pairs as if one after another, until c->made reaches `most` or one batch is
+ * done. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_run_workers(fmb_cone *c, uint64_t most);
 
 #endif
