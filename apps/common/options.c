@@ -151,6 +151,7 @@ void app_options_parse(const struct argp *argp, int argc, char **argv, void *inp
         app_errors_capture(argv[0]);
     }
     refuse_unknown_options(argp, argc, argv);
-    argp_parse(argp, argc, argv, 0, NULL, input);
+    if (argp_parse(argp, argc, argv, 0, NULL, input) != 0) /* wrong words exit by themselves */
+        exit(app_status_error(FMB_ERR_MEMORY));
     app_errors_release();
 }

@@ -13,6 +13,7 @@ import tempfile
 
 FMB = os.path.abspath(sys.argv[1])
 DIGITS, STEP, MORE = 100_000, 500_000, 8_000_000
+PAGE, PAGES = 4096, 160
 
 
 def call(room, *words):
@@ -40,6 +41,7 @@ with tempfile.TemporaryDirectory() as folder:
     least = STEP  # a process that starts, so that the loader has what it needs
     while call(least, "--version")[0] != 0:
         least += STEP
+    first = least - STEP
     faults, ends = [], collections.Counter()
     for words in (("solve", "long.fmb"), ("bounds", "long.fmb"), ("check", "long.fmb", "long.proof"),
                   ("solve", "long.fmb", "--json")):
@@ -50,6 +52,10 @@ with tempfile.TemporaryDirectory() as folder:
                 faults.append(f"{' '.join(words)} in {room} bytes: {code}, {said}")
             if code == 70 and "--json" in words and not is_one_error(said):
                 faults.append(f"{' '.join(words)} in {room} bytes: not one error, {said}")
+    for room in range(first, first + PAGES * PAGE, PAGE):  # there the parser of options gets nothing
+        code, said = call(room, "check", "long.fmb")
+        if code not in (64, 70, 127):
+            faults.append(f"check without a proof in {room} bytes: {code}, {said}")
     for verb in ("solve", "bounds", "check"):
         if ends[verb, 0] == 0 or ends[verb, 70] == 0:
             faults.append(f"{verb}: {ends[verb, 0]} with enough memory, {ends[verb, 70]} without")
