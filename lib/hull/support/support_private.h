@@ -1,55 +1,55 @@
-/* support_private.h: what the files of the support queries share; see support.h. */
+/* support_private.h: shared by the files of the support queries; see support.h. */
 #ifndef FMB_HULL_SUPPORT_PRIVATE_H
 #define FMB_HULL_SUPPORT_PRIVATE_H
 
 #include "hull/support/support.h"
 
-/* What is noted of a facet of the hull. */
+/* The note of a facet of the hull. */
 enum {
-    FMB_FACET_OPEN = 0, /* it may be that the projection goes further */
+    FMB_FACET_OPEN = 0, /* the projection may have points beyond it */
     FMB_FACET_STANDS,
-    FMB_FACET_MISSING /* the same, but the projection only comes near */
+    FMB_FACET_MISSING /* stands, but the projection has none of its points */
 };
 
-/* What a question about a facet came to. */
+/* The result of a query about a facet. */
 typedef enum fmb_support_answer {
     FMB_SUPPORT_BEYOND = 0, /* the worker saw a point or ray beyond */
-    FMB_SUPPORT_ROW,        /* it stands, and its row is written down */
-    FMB_SUPPORT_NO_ROW      /* it stands, and has no row, or one that is known */
+    FMB_SUPPORT_ROW,        /* it stands, and its row was written */
+    FMB_SUPPORT_NO_ROW      /* it stands, with no row, or a known one */
 } fmb_support_answer;
 
 /* ---- support_query.c ------------------------------------------------------------------------- */
 
 fmb_status fmb_support_point_init(fmb_support_point *x, size_t n, fmb_mem *mem);
 void fmb_support_point_clear(fmb_support_point *x, fmb_mem *mem);
-/* The oracle must outlive the worker. In any case fmb_support_worker_clear it. Errors: MEMORY,
- * LIMIT. */
+/* The oracle must outlive the worker. The caller must call fmb_support_worker_clear even after an
+ * error. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
                                    size_t n);
 void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s);
-/* Does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], which all generators do?
- * *stands: if so, and the row is written down, proof included (of an equality, with sign -1 the
- * reverse), in the worker's memory. Else the worker sees a point or ray beyond. */
+/* Does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], as all generators do? If so,
+ * *stands, and row is written in the worker's memory, with its proof (for an equality, the one of
+ * the reverse if sign is -1). Otherwise c->seen is a point or ray beyond. */
 fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
                                    int sign, fmb_support_row *row, bool *stands);
-/* The same of a facet whose normal is known, by whatever tells soonest. */
+/* The same for a facet whose normal is known, by the cheapest test that decides. */
 fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
                                      const fmb_facet *a, fmb_support_row *row,
                                      fmb_support_answer *answer);
-/* The hull takes in what a worker saw, perhaps beyond facet `at`; the worker stands there now. */
+/* Add a worker's answer, perhaps beyond facet `at`, to the hull; its oracle is there now. */
 fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_support_point *seen,
                             size_t at);
-/* Look alone, and take in what was seen. */
+/* Make a query with the own worker, and add its answer to the hull. */
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands);
 
 /* ---- support_next.c -------------------------------------------------------------------------- */
 
-/* Are rows wanted that are no facets? Then facets asked about are from all around, so that these
- * are, too. */
+/* Are rows wanted that are no facets? Then the facets to query are taken from all directions, so
+ * that these rows are, too. */
 bool fmb_support_is_hull_coarse(const fmb_support *s);
-/* An open facet, SIZE_MAX if there is none. It is one near that generator, where the worker's
- * oracle stands, so that its way to the optimum is short; or else the youngest, roughly. */
+/* An open facet; SIZE_MAX if there is none. Preferably one at the generator of `near`, where the
+ * worker's oracle is, so that its way to the optimum is short; otherwise roughly the youngest. */
 size_t fmb_support_find_open_facet(fmb_support *s, const fmb_support_near *near);
 
 /* ---- support_symmetry.c ---------------------------------------------------------------------- */
@@ -57,20 +57,20 @@ size_t fmb_support_find_open_facet(fmb_support *s, const fmb_support_near *near)
 /* Errors: MEMORY, LIMIT, here and below. */
 bool fmb_support_is_symmetric(const fmb_support *s);
 void fmb_support_forget_symmetry(fmb_support *s);
-/* The hull has grown by its last generator: take in its images. */
+/* After the hull got a new generator: add the images of that. */
 fmb_status fmb_support_take_images(fmb_support *s);
-/* The row kept last is that of a facet: note its images. */
+/* After the row of a facet was kept: note its images. */
 fmb_status fmb_support_note_images(fmb_support *s, const fmb_vec *normal);
-/* Is that facet an image of one that stands? Then it stands, too. */
+/* Is the facet an image of one that stands? Then it stands, too. */
 fmb_status fmb_support_recall(fmb_support *s, size_t facet, bool *known);
 
-/* ---- support_row.c: a row is proved, or of no use -------------------------------------------- */
+/* ---- support_row.c: a row is kept or discarded ----------------------------------------------- */
 
 fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_support_row *row,
                                  fmb_mem *mem);
 /* Takes over the row, whatever the status. */
 fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row);
-/* That facet stands, its row having the relation. */
+/* Note that the facet stands, with a row of this relation. */
 static inline void fmb_support_note_facet(fmb_support *s, size_t facet, fmb_rel rel)
 {
     s->hull.facet[facet].note = rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
@@ -81,20 +81,20 @@ void fmb_support_drop(fmb_support_row *row, fmb_mem *mem);
 
 /* ---- support_outer.c ------------------------------------------------------------------------- */
 
-/* The next of 2 k ends of coordinates; s->begun. Errors: MEMORY, LIMIT. */
+/* Query the next of the 2 k bounds of coordinates; s->begun. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_ask_about_end(fmb_support *s);
-/* How far does the projection go along -(h1, ... hk), from the point of s->g, if that is one?
- * Errors: MEMORY, LIMIT. */
+/* Maximize over the projection in the direction -(h1, ..., hk), starting from the point of s->g if
+ * that is one. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_look_along(fmb_support *s, const fmb_vec *h);
 void fmb_support_forget_outer_rows(fmb_support *s);
 
 /* ---- support_known.c ------------------------------------------------------------------------- */
 
-/* Is the facet of that normal a row of the program, and those are known? */
+/* Are the rows of the program known, and is the facet with that normal one of them? */
 bool fmb_support_is_known(const fmb_support *s, const fmb_vec *normal);
 void fmb_support_forget_rows(fmb_support *s);
 
-/* support_strict.c: all facets stand. Rows for the other faces that the projection lacks. */
+/* support_strict.c: when all facets stand, find rows for other faces that are missing. */
 fmb_status fmb_support_find_missing_faces(fmb_support *s);
 
 #endif
