@@ -1,16 +1,15 @@
-/* by_elimination.h: the check of claims WHOLE that tell in what order variables go, and of claims
- * FOLLOWS, which those lean on.
+/* by_elimination.h: checks claims WHOLE that give an order of elimination, and claims FOLLOWS, on
+ * which the former rely.
  *
- * CLAIM. Claims IMPLIED that name kept variables only are rows that are true of the projection.
- * Let Q be the set of points that satisfy them. Variables that are not kept are eliminated from the
- * system, and each row that is left names kept variables only, and is true of all of Q. Then Q is
- * the projection.
+ * CLAIM. Claims IMPLIED that contain kept variables only are rows that hold on the projection. Let
+ * Q be the set of points that satisfy these. If the variables that are not kept are eliminated, and
+ * each remaining row contains kept variables only and holds on all of Q, then Q is the projection.
  *
- * PROOF. A point of Q satisfies all rows that are left, so it is the image of a solution
+ * PROOF. A point of Q satisfies all remaining rows, so it is the image of a solution
  * (elimination.h). END
  *
- * A row a.x <= b that is left is true of Q if it is a multiple of one of those claims, or of a
- * claim FOLLOWS that leans on such claims alone, which says as much. (An equation: both ways.)
+ * A remaining row a.x <= b holds on Q if one of those claims, or a claim FOLLOWS that relies on
+ * them alone, has a multiple of its left side and a bound as tight. (For an equation: both ways.)
  */
 #ifndef FMB_PROOF_BY_ELIMINATION_H
 #define FMB_PROOF_BY_ELIMINATION_H
@@ -18,24 +17,24 @@
 #include "proof/elimination.h"
 #include "proof/evidence/evidence.h"
 
-/* Takes a.x <= b, or < b, that is left and no claim says: z[k + 1] over kept variables, as claim q
- * names them. What it returns ends the search, unless it is OK. */
+/* A callback for a remaining row a.x <= b, or < b, that no claim implies: z[k + 1] over the kept
+ * variables in the order of claim q. Any status but OK ends the search. */
 typedef struct fmb_unsaid {
     fmb_status (*tell)(void *self, const fmb_integers *z, bool strict);
     void *self;
 } fmb_unsaid;
 
-/* Does claim q, of kind WHOLE, follow, by its steps, from the claims that it leans on, if these
- * hold? *why: NULL, or why not. Errors: MEMORY, LIMIT, and what poll says; here and below. */
+/* Does claim q, of kind WHOLE, follow by its steps from the claims that it relies on, if these
+ * hold? *why: NULL, or why not. Errors: MEMORY, LIMIT, and the status of poll; here and below. */
 fmb_status fmb_by_elimination_check(const fmb_system *s, const fmb_evidence *e, const fmb_claim *q,
                                     fmb_mem *mem, const fmb_poll *poll, const char **why);
-/* The same where the elimination has been done; with `unsaid`, unless it is NULL, rows that no
- * claim says are told, and are no reason why not. */
+/* The same for a finished elimination; if `unsaid` is not NULL, it is called for each row that no
+ * claim implies, and such rows are no reason why not. */
 fmb_status fmb_by_elimination_match(const fmb_elimination *of, const fmb_evidence *e,
                                     const fmb_claim *q, const fmb_unsaid *unsaid, const char **why);
 
-/* Does claim q, of kind FOLLOWS, follow from the claims IMPLIED that it names? Its terms are of
- * variables that there are. */
+/* Does claim q, of kind FOLLOWS, follow from the claims IMPLIED that it names? The variables of its
+ * terms must exist. */
 fmb_status fmb_follows_check(const fmb_evidence *e, const fmb_claim *q, fmb_mem *mem,
                              const fmb_poll *poll, const char **why);
 

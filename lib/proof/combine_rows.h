@@ -1,6 +1,5 @@
-/* combine_rows.h: the two questions that claims come down to: what rows add up to when they are
- * combined with multipliers, and on which side of a row a point lies. Rows count as the user wrote
- * them.
+/* combine_rows.h: the two questions behind all claims: to which row do multipliers combine rows,
+ * and on which side of a row does a point lie? Rows are taken as the user wrote them.
  */
 #ifndef FMB_PROOF_COMBINE_ROWS_H
 #define FMB_PROOF_COMBINE_ROWS_H
@@ -9,8 +8,8 @@
 #include "proof/sum.h"
 #include "system/system_private.h"
 
-/* What multipliers shall prove, times sign: form <= value of a claim, whose form is its variable,
- * if it has one, plus its terms; else that row; else 0 <= 0. */
+/* The inequality that multipliers shall prove, times sign: form <= value of a claim, whose form is
+ * its variable, if it has one, plus its terms; otherwise the row; otherwise 0 <= 0. */
 typedef struct fmb_combination_goal {
     const fmb_claim *claim; /* or NULL */
     size_t row;             /* or SIZE_MAX */
@@ -18,16 +17,16 @@ typedef struct fmb_combination_goal {
 } fmb_combination_goal;
 
 /* The sum of rows times multipliers, minus the goal, is left.x <= right: *wrong = the first
- * variable whose coefficient in left is not 0, or -1; *right = the sign of right. All indices are
- * good: the caller has looked. Errors: MEMORY, LIMIT, and what poll says; here and below. */
+ * variable whose coefficient in left is not 0, or -1; *right = the sign of right. The caller has
+ * checked all indices. Errors: MEMORY, LIMIT, and the status of poll; here and below. */
 fmb_status fmb_combine_rows(const fmb_system *s, const fmb_sparse_vector *multipliers,
                             const fmb_combination_goal *goal, fmb_mem *mem, const fmb_poll *poll,
                             int *wrong, int *right);
 
-/* A point, or a direction, that rows are asked about. */
+/* A point or a direction, laid out by variable to be compared with rows. */
 typedef struct fmb_place {
-    fmb_fractions x; /* the coordinates that are not 0; behind them -1, for right sides, or 0 */
-    size_t *of;      /* [dim] the variable's coordinate plus 1; 0: there is none */
+    fmb_fractions x; /* nonzero coordinates, then the factor of right sides: -1 or 0 */
+    size_t *of;      /* [dim] 1 + the number of the variable's coordinate; 0: none */
     size_t dim;
     fmb_product *product; /* [capacity] scratch */
     size_t capacity;
@@ -35,7 +34,7 @@ typedef struct fmb_place {
 
 fmb_status fmb_place_init(fmb_place *p, size_t dim, fmb_mem *mem);
 void fmb_place_clear(fmb_place *p, fmb_mem *mem);
-/* Lay x out, whose indices are less than dim. In any case take it away again. */
+/* Store x, with indices below dim. The caller must call fmb_place_take even after an error. */
 fmb_status fmb_place_put(fmb_place *p, const fmb_sparse_vector *x, bool direction, fmb_mem *mem,
                          const fmb_poll *poll);
 void fmb_place_take(fmb_place *p, const fmb_sparse_vector *x);

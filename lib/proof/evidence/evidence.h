@@ -1,8 +1,8 @@
 /* evidence.h: inside of an fmb_evidence: claims about one system and the numbers that prove them.
  *
- * Multipliers count for the rows as the user wrote them (fmb_sysrow.val / den). Every claim owns
- * its numbers, without zeros. Claims are appended by one holder; once it shares them, nobody
- * changes them any more, so handing out evidence copies nothing.
+ * Multipliers refer to the rows as the user wrote them (fmb_sysrow.val / den). Every claim owns its
+ * numbers, without zeros. Claims are appended by one holder; once shared, they never change, so
+ * handing out evidence copies nothing.
  */
 #ifndef FMB_PROOF_EVIDENCE_H
 #define FMB_PROOF_EVIDENCE_H
@@ -14,12 +14,12 @@
 
 #include "base/mem.h"
 
-/* A sparse list of rationals with an index each: multipliers by row, the rest by variable. */
+/* A sparse vector of rationals: multipliers are indexed by row, all others by variable. */
 typedef struct fmb_sparse_vector {
     size_t *index;
     mpq_t *value;
     size_t size, capacity;
-    bool mixed; /* some index is smaller than the one before */
+    bool mixed; /* the indices are not increasing */
 } fmb_sparse_vector;
 
 typedef struct fmb_claim {
@@ -50,31 +50,31 @@ struct fmb_evidence {
 };
 
 fmb_status fmb_evidence_new(int dim, size_t rows, const fmb_alloc *hook, fmb_evidence **out);
-/* Are both there, and is s of the shape that the claims are about? */
+/* Are both not NULL, and has s the dimension and number of rows that the claims are about? */
 static inline bool fmb_evidence_fits(const fmb_evidence *e, const fmb_system *s)
 {
     return e && s && e->dim == fmb_system_dim(s) && e->rows == fmb_system_rows(s);
 }
-/* [give] The same claims for one holder more, who gives them back by fmb_evidence_free. */
+/* [give] The same claims for one more holder, who releases them by fmb_evidence_free. */
 fmb_evidence *fmb_evidence_share(fmb_evidence *e);
-/* Forget all claims. */
+/* Remove all claims. */
 void fmb_evidence_reset(fmb_evidence *e);
 /* Append an empty claim of that kind; *out points to it until the next call. If filling it fails,
- * fmb_evidence_drop_last takes it back. Errors: MEMORY, LIMIT, here and below. */
+ * fmb_evidence_drop_last removes it. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **out);
 void fmb_evidence_drop_last(fmb_evidence *e);
-/* Append (index, value) to a list; zero values are skipped. An index comes at most once in a list:
- * the caller's promise. */
+/* Append (index, value) to a list; zero values are skipped. The caller guarantees that an index
+ * comes at most once in a list. */
 fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse_vector *list, size_t index,
                              const mpq_t value);
-/* Append the entries x[0..n) that are not 0: entry j for index at[j], or j if at is NULL. */
+/* Append the nonzero entries of x[n], entry j with index at[j], or j if at is NULL. */
 fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse_vector *list, size_t n, const int *at,
                                  mpq_t *x);
-/* Multiply all values by a factor that is not 0. On failure some are not. */
+/* Multiply all values by a nonzero factor. After a failure some are not yet multiplied. */
 fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse_vector *list, const mpq_t factor);
-/* Indices increase from now on. */
+/* Sort the list by index. */
 void fmb_sparse_sort(fmb_sparse_vector *list);
-/* The value of that index, NULL where the list has none. */
+/* The value of an index; NULL if it is not in the list. */
 mpq_srcptr fmb_sparse_find(const fmb_sparse_vector *list, size_t index);
 
 #endif
