@@ -12,7 +12,7 @@ struct fmb_generators {
     size_t size, vec_capacity, kind_capacity;
     fmb_vec *vec; /* [size], dim + 1 entries each: the point x / t, or t = 0 */
     fmb_generator_kind *kind;
-    char error[160]; /* what was wrong with the last that was to be added */
+    char error[160]; /* why the last one to be added was refused */
 };
 
 /* Append a vector over (x, t), copied. Errors: MEMORY, LIMIT. */

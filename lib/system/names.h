@@ -14,10 +14,10 @@ typedef struct fmb_names {
     size_t slots;
 } fmb_names;
 
-/* Append a name that is not taken yet (the caller has looked). Errors: MEMORY. */
+/* Append a name; the caller has checked that it is not taken. Errors: MEMORY. */
 fmb_status fmb_names_add(fmb_names *t, const char *name, fmb_mem *mem);
 fmb_status fmb_names_change(fmb_names *t, int j, const char *name, fmb_mem *mem);
-/* The last name goes. */
+/* Remove the last name. */
 void fmb_names_drop_last(fmb_names *t, fmb_mem *mem);
 int fmb_names_find(const fmb_names *t, const char *name);
 void fmb_names_clear(fmb_names *t, fmb_mem *mem);

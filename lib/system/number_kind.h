@@ -1,4 +1,4 @@
-/* number_kind.h: what add.c asks of numbers in the arrays of a caller, whatever their type. */
+/* number_kind.h: operations of add.c on numbers in arrays of a caller, whatever their type. */
 #ifndef FMB_SYSTEM_NUMBER_KIND_H
 #define FMB_SYSTEM_NUMBER_KIND_H
 
@@ -11,13 +11,13 @@
 
 /* Numbers of one kind in an array. */
 typedef struct fmb_number_kind {
-    /* What is wrong with number i, in a few words, or NULL. */
+    /* Why number i is refused, in a few words, or NULL. */
     const char *(*wrong)(const void *numbers, size_t i, char buf[FMB_WRONG_NUMBER]);
     bool (*is_zero)(const void *numbers, size_t i);
-    /* The least whole number by which number i becomes whole; 0: it may not be small (num/vec.h).
+    /* The denominator of number i in lowest terms; 0 if the number may not be small (num/vec.h).
      */
     uint64_t (*denominator)(const void *numbers, size_t i);
-    /* Number i times a small multiple of that, if it is small. */
+    /* Number i times a factor, a small multiple of its denominator; false if that is not small. */
     bool (*times)(const void *numbers, size_t i, uint64_t factor, int64_t *out);
     void (*get)(mpq_t q, const void *numbers, size_t i);
 } fmb_number_kind;
