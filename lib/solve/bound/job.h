@@ -1,4 +1,4 @@
-/* job.h: shared by the two ways to bound variables: by the oracle and by elimination. */
+/* job.h: what bounding variables by the oracle and bounding them by elimination share. */
 #ifndef FMB_SOLVE_JOB_H
 #define FMB_SOLVE_JOB_H
 

@@ -1,4 +1,4 @@
-/* optimum.h: inside of an fmb_optimum: how far a linear form goes, exactly. */
+/* optimum.h: the layout of an fmb_optimum, the exact optimum of a linear form. */
 #ifndef FMB_SOLVE_OPTIMUM_H
 #define FMB_SOLVE_OPTIMUM_H
 

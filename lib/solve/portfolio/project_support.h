@@ -1,5 +1,5 @@
-/* project_support.h: the projection of a part as the hull of what support queries find, without
- * eliminating anything; in turns, if need be.
+/* project_support.h: the projection of a part as the hull of the points and directions that support
+ * queries find, without elimination; it can be interrupted and continued in turns.
  */
 #ifndef FMB_SOLVE_PROJECT_SUPPORT_H
 #define FMB_SOLVE_PROJECT_SUPPORT_H
@@ -8,30 +8,30 @@
 
 typedef struct fmb_queries fmb_queries;
 
-/* On those of the part's variables with place[] >= 0, perhaps none; place outlives it. *feasible
- * false: the part has no solution, and nothing can be asked. apart: with a share of the query, and
- * an oracle, of its own, so that another thread may ask. In any case fmb_queries_close what is not
- * NULL. Errors: MEMORY, LIMIT, here and below. */
+/* The projection on the part's variables with place[] >= 0, perhaps none; place outlives *out.
+ * *feasible false: the part has no solution, and there is nothing to query. apart: *out has its own
+ * share of the query and its own oracle, so that another thread may run it. fmb_queries_close *out
+ * unless it is NULL, even after an error. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, bool apart, fmb_queries **out,
                             bool *feasible);
-/* The share, or NULL: its work is counted apart. */
+/* The share, if opened with `apart`, else NULL. Its work is counted separately. */
 fmb_share *fmb_queries_share(fmb_queries *h);
-/* At a limit that something else has come to: ask on, for the time that was kept or a few queries,
- * unless it is a cancel; and put out what is proved, with points as claims. Errors: MEMORY. Then
- * close it. */
+/* After a limit that another engine has reached: unless it is a cancel, query for the reserved time
+ * or a few more times; then append the proved rows to out, with points as claims. Close it then.
+ * Errors: MEMORY. */
 fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out);
 void fmb_queries_close(fmb_queries *h);
 
-/* Go on until a slice is over. *ready: the projection is known. */
+/* Continue until the slice is used up. *ready: the projection is known. */
 fmb_status fmb_queries_run(fmb_queries *h, bool *ready);
-/* Append it to out; or, after LIMIT, which is returned again, the rows that are proved. */
+/* Append the projection to out; where st is LIMIT, the rows proved so far, and return LIMIT. */
 fmb_status fmb_queries_put(fmb_queries *h, fmb_system *out, fmb_status st);
 
-/* The same by queries of its own, after a limit that came before any; *out may stay as it is.
- * Errors: MEMORY. */
+/* After a limit reached before any query: open, query and append as above; perhaps nothing is
+ * appended. Errors: MEMORY. */
 fmb_status fmb_queries_at_limit(fmb_query *q, int part, const int *place, fmb_system *out);
 
-/* All at once. */
+/* Open, run to the end, append and close. */
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible);
 

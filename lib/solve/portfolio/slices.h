@@ -1,15 +1,15 @@
-/* slices.h: whose turn it is, among engines that go on where they stopped.
+/* slices.h: whose turn it is, among engines that can be interrupted and continued.
  *
- * Of each engine it is expected how much work e it takes in all. Once it has done s in vain, it is
- * taken to need max(e, s / 4): expectations are often wrong by a factor of four, and what outlives
- * that mostly takes as long again. The engine that needs least goes on, until it has done six times
- * what the next one needs: so the first engine gets no more than that.
+ * Each engine has an expected total work e. After work s without an answer its estimate becomes
+ * max(e, s / 4): expectations are often wrong by a factor of four, and an engine that exceeds even
+ * that mostly takes as long again. The engine with the least estimate runs until it has done six
+ * times the next one's estimate: so the first engine gets no more than that.
  *
- * Bound: let an engine take w, and m = max(e, w / 4). Until it ends it is taken to need no more
- * than m. Another one gets a slice only while it is taken to need no more than that, either, and
- * stops when it has done six times what the next one needs, no more than 6 m. So all of them
- * together do w + 6 m for each other one, and a least slice. Work is counted (trace/run.h), so the
- * same system takes the same way everywhere.
+ * Bound: let an engine take work w, and m = max(e, w / 4). Until it ends its estimate is at most m.
+ * Another engine gets a slice only while its own estimate is at most m, too, and stops when it has
+ * done six times the next one's estimate, at most 6 m. So the total is at most w, plus 6 m and a
+ * least slice for each other engine. Work is counted (trace/run.h), so the same system is solved
+ * the same way everywhere.
  */
 #ifndef FMB_SOLVE_SLICES_H
 #define FMB_SOLVE_SLICES_H
@@ -22,7 +22,7 @@
 
 typedef struct fmb_slice_engine {
     uint64_t spent;  /* work so far */
-    double expected; /* that it takes in all */
+    double expected; /* its total work */
     bool over;       /* it has given up for good */
 } fmb_slice_engine;
 
@@ -31,8 +31,8 @@ typedef struct fmb_slices {
     fmb_slice_engine engine[FMB_MOST_ENGINES];
 } fmb_slices;
 
-/* The engine whose turn it is, and the work of its slice; 0: to its end, as all others are over.
- * Some are not over. */
+/* The engine whose turn it is, and the work of its slice; 0: no bound, as all others are over. At
+ * least one engine is not over. */
 size_t fmb_slices_next(const fmb_slices *t, uint64_t *slice);
 
 #endif

@@ -1,6 +1,6 @@
-/* features.h: what a part looks like once what is cheap has been eliminated: by that, and nothing
- * else, the ways of a projection are chosen (selection.h). No clock is asked, so that the same
- * system takes the same way everywhere.
+/* features.h: features of a part after its cheap eliminations. They alone decide which engines
+ * project it (selection.h); they depend on no clock, so the same system is solved the same way
+ * everywhere.
  */
 #ifndef FMB_SOLVE_FEATURES_H
 #define FMB_SOLVE_FEATURES_H
@@ -8,26 +8,26 @@
 #include "solve/prepare/reduced_part.h"
 
 typedef struct fmb_features {
-    /* The part as it came. */
-    int kept;      /* variables that stay */
+    /* The part before any elimination. */
+    int kept;      /* kept variables */
     int variables; /* all of them */
     bool is_wide;  /* some numbers are longer than a word */
-    /* What is left of it. */
+    /* The part after the cheap eliminations. */
     size_t columns, rows; /* variables and rows */
     size_t entries;       /* coefficients */
     size_t equalities;    /* rows */
     size_t bounds;        /* rows with one coefficient */
-    size_t kept_rows;     /* rows of variables that stay alone, */
-    size_t dropped_rows;  /* and of such that go */
+    size_t kept_rows;     /* rows over kept variables only */
+    size_t dropped_rows;  /* rows over variables to eliminate only */
     size_t homogeneous;   /* rows with right side 0 */
-    size_t most_pairs;    /* rows of opposite signs in a variable that goes, the most of all */
-    size_t least_growth;  /* so many rows more than go are made of these, the fewest of all */
-    size_t minor_bits;    /* about as long is a minor of all columns, if rows are like the mean of
-                             them [bits] */
+    size_t most_pairs;    /* pairs of opposite signs in a variable to eliminate, the maximum */
+    size_t least_growth;  /* pairs formed less rows removed, the minimum over these variables */
+    size_t minor_bits;    /* estimated length of a minor of all columns, if all rows are as long
+                             as their mean [bits] */
     bool has_origin;      /* all variables at 0 are a solution */
 } fmb_features;
 
-/* 0 of nothing. */
+/* part / whole, 0 where whole is 0. */
 static inline double fmb_features_share(size_t part, size_t whole)
 {
     return whole > 0 ? (double)part / (double)whole : 0;
@@ -38,7 +38,7 @@ static inline size_t fmb_features_least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* What the choice asks about: identifier, name in data and reports, and the number as a double. */
+/* The features that the choice uses: identifier, name in data and reports, value. */
 #define FMB_FEATURE_VALUES(F)                                                                      \
     F(KEPT, "variables that stay", f->kept)                                                        \
     F(VARIABLES, "variables given", f->variables)                                                  \
@@ -69,13 +69,13 @@ typedef enum fmb_feature_id {
 } fmb_feature_id;
 #undef FMB_FEATURE_IDENTIFIER
 
-/* Looks at each coefficient twice. What follows holds while the reduced part stays as it is. */
+/* Reads each coefficient twice. The result is valid while the reduced part does not change. */
 fmb_features fmb_features_of(const fmb_reduced_part *reduced);
 double fmb_features_value(const fmb_features *f, fmb_feature_id which);
 const char *fmb_features_name(fmb_feature_id which);
 
 #ifdef FMB_ABLATE
-/* Who studies the choice (bench/study/selection) hears of each part before a way is chosen. */
+/* Studies of the choice (bench/study/selection) are notified of each part before the choice. */
 typedef struct fmb_features_watcher {
     void (*hear)(void *self, const fmb_features *, const fmb_reduced_part *);
     void *self;

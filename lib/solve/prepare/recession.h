@@ -1,4 +1,4 @@
-/* recession.h: whether variables that go can go on for ever, away from all rows that name them. */
+/* recession.h: directions of eliminated variables along which all rows that name these recede. */
 #ifndef FMB_SOLVE_RECESSION_H
 #define FMB_SOLVE_RECESSION_H
 
@@ -6,14 +6,13 @@
 
 #include "elim/round/elim.h"
 
-/* drop[e->n]: variables that go. A glance is taken, and a search if that takes no more work
- * (trace/run.h) than patience. *recedes: all live rows that named one of
- * those have left e, and the others are the projection; else nothing has changed. Errors: MEMORY,
- * LIMIT. */
+/* drop[e->n]: variables to eliminate. A quick try comes first, then a search of at most `patience`
+ * work (trace/run.h). *recedes: all live rows that named one of them were removed from e, the
+ * others are the projection; else e is unchanged. Errors: MEMORY, LIMIT. */
 fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, double patience, bool *recedes);
 
-/* The same of a small system, on the stack: is it seen at once that no row of s is left?
- * place[dim]: -1 for variables that go. */
+/* A quick test on the stack, for a small system: does the projection provably have no rows?
+ * place[dim]: -1 for variables to eliminate. */
 bool fmb_recession_drops_all_at_sight(const fmb_system *s, const int *place);
 
 #endif

@@ -1,7 +1,7 @@
-/* reduced_part.h: a part of which what is cheap has been eliminated.
+/* reduced_part.h: a part after its cheap eliminations, where all engines of a projection begin.
  *
- * Variables that stand in an equality, or that make no more rows than go, are gone: all ways of a
- * projection begin there.
+ * Eliminated are the variables that occur in an equality, and those whose elimination adds no more
+ * rows than it removes.
  */
 #ifndef FMB_SOLVE_REDUCED_PART_H
 #define FMB_SOLVE_REDUCED_PART_H
@@ -9,18 +9,18 @@
 #include "elim/round/elim.h"
 #include "solve/query/solver.h"
 
-/* Whoever goes on with the elimination comes back to where it was (elim/round/mark.h). */
+/* An engine that continues the elimination must restore this state (elim/round/mark.h). */
 typedef struct fmb_reduced_part {
     fmb_query *q;
     const fmb_part *p;
-    const int *place; /* [dim] column in the projection, -1 for variables that go */
+    const int *place; /* [dim] column in the projection, -1 for variables to eliminate */
     fmb_elim e;
-    bool *drop; /* [n] variables that go */
-    bool rest;  /* some of them are left in live rows */
+    bool *drop; /* [n] variables to eliminate */
+    bool rest;  /* live rows still name some of them */
 } fmb_reduced_part;
 
-/* *feasible false: its rows contradict each other. In any case fmb_reduced_part_close it. Errors:
- * MEMORY, LIMIT. */
+/* *feasible false: its rows contradict each other. fmb_reduced_part_close it, even after an error.
+ * Errors: MEMORY, LIMIT. */
 fmb_status fmb_reduced_part_open(fmb_reduced_part *h, fmb_query *q, int part, const int *place,
                                  bool *feasible);
 void fmb_reduced_part_close(fmb_reduced_part *h);

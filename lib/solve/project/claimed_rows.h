@@ -14,27 +14,27 @@ typedef struct fmb_claimed_rows {
     int *variable;   /* [n] of the query's system, by column of the image */
     size_t first;    /* claim of row 0 */
     mpq_t *sum;      /* [rows of the query's system] scratch, zeros; NULL without claims */
-    size_t *touched; /* the same, and [rows], which are in it */
+    size_t *touched; /* [rows] indices of the entries of sum in use; NULL without claims */
     bool *is_touched;
 } fmb_claimed_rows;
 
-/* The last claims of q are those of the image, in the order of its rows; place[dim] is the column
- * of each variable, -1 of those that went. In any case close it. Errors: MEMORY, LIMIT. */
+/* The last claims of q are those of the image, in the order of its rows; place[dim]: the column of
+ * a variable, -1 if eliminated. Close it, even after an error. Errors: MEMORY, LIMIT. */
 fmb_status fmb_claimed_rows_open(fmb_claimed_rows *c, fmb_query *q, const int *place,
                                  fmb_system *image);
 void fmb_claimed_rows_close(fmb_claimed_rows *c);
 
-/* Append the row z[0..n).x REL z[n], n columns. It is the sum of w, multipliers of rows of the
- * image: negative for none but equations; w is not looked at where no claims are wanted. Errors:
- * MEMORY, LIMIT: nothing was appended. */
+/* Append the row z[0..n).x REL z[n], n columns. It is the combination of rows of the image with the
+ * multipliers w, negative only for equations; w is ignored where no claims are wanted. Errors:
+ * MEMORY, LIMIT; then nothing was appended. */
 fmb_status fmb_claimed_rows_append(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel,
                                    const fmb_weights *w);
-/* The last row takes the place of row i, which goes. */
+/* Replace row i by the last row. */
 void fmb_claimed_rows_put_last(fmb_claimed_rows *c, size_t i);
-/* Row i goes, those behind it move up. */
+/* Remove row i; later rows move up. */
 void fmb_claimed_rows_drop(fmb_claimed_rows *c, size_t i);
-/* Rows and claims in the order of fmb_sysrow_compare. Errors: MEMORY, LIMIT: the order is what it
- * was. */
+/* Sort rows and claims by fmb_sysrow_compare. Errors: MEMORY, LIMIT; then the order is unchanged.
+ */
 fmb_status fmb_claimed_rows_sort(fmb_claimed_rows *c);
 
 #endif

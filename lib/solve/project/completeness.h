@@ -5,8 +5,8 @@
 #include "solve/query/solver.h"
 
 /* image is the projection on the variables with place[dim] >= 0, their columns, and its rows have
- * their claims. Add claims CORNER and a claim WHOLE, if that does not take too long; within the
- * limits of the query, which is not stopped by them. Errors: MEMORY. */
+ * claims. Add claims CORNER and a claim WHOLE, unless that takes too long. A limit reached here
+ * only omits them and does not stop the query. Errors: MEMORY. */
 fmb_status fmb_query_prove_complete(fmb_query *q, const int *place, const fmb_system *image);
 
 #endif

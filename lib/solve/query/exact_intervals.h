@@ -1,4 +1,4 @@
-/* exact_intervals.h: inside of an fmb_box: exact intervals of some variables. */
+/* exact_intervals.h: the layout of an fmb_box, exact intervals of some variables. */
 #ifndef FMB_SOLVE_EXACT_INTERVALS_H
 #define FMB_SOLVE_EXACT_INTERVALS_H
 
@@ -19,11 +19,11 @@ struct fmb_box {
     fmb_exact_side (*side)[2]; /* [size] by fmb_side */
 };
 
-/* As a double, rounded outward; does it have a value? */
+/* The end as a double, rounded outward. Below: does it have a value? */
 fmb_end fmb_exact_side_end(const fmb_exact_side *e, fmb_side side);
 bool fmb_exact_side_has_value(const fmb_exact_side *e);
-/* Rounded to the nearest double, infinite where it has no value; and as text, "" where e is NULL or
- * has none. */
+/* The end rounded to the nearest double, infinite where it has no value. Below: as text, "" where e
+ * is NULL or has no value. */
 double fmb_exact_side_nearest(const fmb_exact_side *e, fmb_side side);
 size_t fmb_exact_side_print(const fmb_exact_side *e, char *text, size_t size);
 

@@ -1,4 +1,4 @@
-/* lifted.h: the cone over the solutions of a system: its rays are vertices and rays of the closure.
+/* lifted.h: the homogenized cone of a system: its rays are vertices and rays of the closure.
  */
 #ifndef FMB_SOLVE_LIFTED_H
 #define FMB_SOLVE_LIFTED_H
@@ -22,12 +22,12 @@ typedef struct fmb_lifted {
 /* z[d] becomes b t - a.x of a row a.x <= b, or t where r is NULL. */
 void fmb_lifted_write_form(const fmb_sysrow *r, size_t d, mpz_t *z);
 
-/* s outlives it. In any case fmb_lifted_close it. Errors: MEMORY, LIMIT, here and below. */
+/* s outlives h. fmb_lifted_close it, even after an error. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s);
 void fmb_lifted_close(fmb_lifted *h);
 
-/* Find the rays; or *done false: that takes more rays than this (0: any number) on the way, and the
- * next call goes on from there. */
+/* Find the rays. *done false: there were more than `rays` intermediate rays (0: any number), and
+ * the next call continues from there. */
 fmb_status fmb_lifted_run(fmb_lifted *h, uint64_t rays, bool *done);
 
 #endif

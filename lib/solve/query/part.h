@@ -1,9 +1,9 @@
 /* part.h: a connected component of a system; where they are wanted, its rows as dense primitive
  * integers over its own variables.
  *
- * Two variables are connected when a row names both; the rows of different parts say nothing of one
- * another, so each question is answered part by part. A row that names no variable belongs to no
- * part: it is true or false by itself.
+ * Two variables are connected when a row names both; rows of different parts share no variable, so
+ * each question is answered part by part. A row that names no variable belongs to no part: it is
+ * true or false by itself.
  */
 #ifndef FMB_SOLVE_PART_H
 #define FMB_SOLVE_PART_H
@@ -26,7 +26,7 @@ typedef struct fmb_parts {
     fmb_part *part;
     int count;
     int *of_var;      /* [dim] the part of each variable, -1 if no row names it */
-    int *place;       /* [dim] its column there */
+    int *place;       /* [dim] the column of each variable in its part */
     size_t false_row; /* a row 0 REL b that is false, or SIZE_MAX */
 } fmb_parts;
 
@@ -37,21 +37,21 @@ typedef enum fmb_split {
                         row names any */
 } fmb_split;
 
-/* Split s. Everything is in the arena but dense rows, which fmb_parts_clear releases. */
+/* Split s. All memory comes from the arena except dense rows, which fmb_parts_clear releases. */
 fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_arena *arena,
                            fmb_split how);
 void fmb_parts_clear(fmb_parts *p, fmb_mem *mem);
 
-/* Write the rows of a part out, unless they are: place[dim] as in fmb_parts; what is wanted behind
- * a limit is not stopped by it, unless numbers are long (num/gcd.h). Errors: MEMORY, LIMIT. */
+/* Write the dense rows of a part, unless they exist: place[dim] as in fmb_parts. A limit that was
+ * reached before stops this only where numbers are long (num/gcd.h). Errors: MEMORY, LIMIT. */
 fmb_status fmb_part_load(fmb_part *p, const fmb_system *s, const int *place, fmb_run *run,
                          bool wide_only);
 
 /* The greatest common divisor of coefficients and right side, as the system holds them. Errors:
  * LIMIT. */
 fmb_status fmb_part_content(const fmb_system *s, size_t source, fmb_run *run, mpz_t content);
-/* The factor that turns a multiplier of the part's primitive row into one of row `source` as
- * written. Errors: LIMIT. */
+/* The factor that converts a multiplier of the part's primitive row into one of row `source` of the
+ * system. Errors: LIMIT. */
 fmb_status fmb_part_scale(const fmb_system *s, size_t source, fmb_run *run, mpq_t factor);
 
 #endif

@@ -4,8 +4,8 @@
 
 #include <fmb/rule.h>
 
-/* For systems that are known to be feasible. It looks at the rows when they have doubled since it
- * looked last, and whenever it is asked between rounds. */
+/* For systems that are known to be feasible. It tests the rows when their number has doubled since
+ * the last test, and whenever it is called between rounds. */
 extern const fmb_rule fmb_rule_lp;
 
 #endif
