@@ -1,4 +1,4 @@
-/* change_session.c: the public side of systems that change (<fmb/session.h>). */
+/* change_session.c: the public functions of sessions (<fmb/session.h>). */
 #include <math.h>
 
 #include "solve/query/solver.h"
@@ -68,7 +68,7 @@ static fmb_status expect_loaded_row(fmb_solver *v, size_t row)
     return fmb_solver_refuse(v, FMB_ERR_ARG, "row is %zu, but there are %zu", row, rows);
 }
 
-/* " (cap)" of a row that is called that, or nothing. */
+/* " (cap)" for a row with the label "cap"; "" for one without a label. */
 static const char *describe_label(const fmb_solver *v, size_t row, char text[80])
 {
     const char *label = fmb_system_label(v->session->s, row);
@@ -76,7 +76,7 @@ static const char *describe_label(const fmb_solver *v, size_t row, char text[80]
     return text;
 }
 
-/* What is wrong with the right side of a row that is there. */
+/* Refuse a right side for an existing row; what: the reason. */
 static fmb_status refuse_right_side(fmb_solver *v, size_t row, const char *what)
 {
     char label[80];
@@ -90,7 +90,7 @@ static fmb_status begin_addition(fmb_solver *v)
     return fmb_session_reserve(v->session);
 }
 
-/* A row was appended with that status. */
+/* Finish after appending a row with status st. */
 static fmb_status end_addition(fmb_solver *v, fmb_status st)
 {
     if (st == FMB_OK)

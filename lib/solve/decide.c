@@ -1,8 +1,8 @@
 /* decide.c: is it feasible? Part by part, by elimination or by the oracle.
  *
- * Tiny parts are eliminated: on the stack where nothing but the verdict is wanted, which takes 1 to
- * 30 us, and gives up in as little time. Where evidence is wanted, parts of few rows: those of 8
- * take 10 to 100 us by either way, of 16 ten times as much by elimination.
+ * Tiny parts are eliminated: on the stack where only the verdict is wanted, which takes 1 to 30 us
+ * whether it answers or gives up. Where evidence is wanted, only parts of few rows are eliminated:
+ * 8 rows take 10 to 100 us by either method, 16 rows ten times as much by elimination.
  */
 #include "base/ways.h"
 #include "elim/round/witness.h"
@@ -25,7 +25,7 @@ static fmb_status note_eliminated_point(fmb_query *q, const fmb_part *p, const f
     return FMB_OK;
 }
 
-/* budget > 0: *out stays UNKNOWN when the store outgrows it. */
+/* budget > 0: *out stays UNKNOWN if the store exceeds it. */
 static fmb_status decide_by_elimination(fmb_query *q, int part, size_t budget, fmb_verdict *out)
 {
     const fmb_part *p = &q->parts.part[part];
@@ -123,8 +123,8 @@ fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out)
 
 /* ---- on the stack ---------------------------------------------------------------------------- */
 
-/* Does the query want the verdict only, found in the usual way? A limit on rows is left to the
- * general way, which can stop at it; of bytes none are taken. */
+/* Does the query want only the verdict, with default options? With a limit on rows the general
+ * method is used, which can stop at it; a limit on bytes is harmless, as none are allocated. */
 static bool wants_verdict_only(const fmb_solver *v)
 {
     const fmb_options *o = &v->options;
@@ -145,7 +145,7 @@ fmb_verdict fmb_query_decide_tiny(fmb_query *q)
     return verdict;
 }
 
-/* Without a query: true if that answered. */
+/* Decide without opening a query; true: res has the answer. */
 static bool decide_on_stack(fmb_solver *v, const fmb_system *s, fmb_result *res)
 {
     fmb_run run;

@@ -1,12 +1,12 @@
-/* lift.c: images, sums and hulls of several: a lift is written (lift/lift_private.h), and
- * projected. */
+/* lift.c: images, Minkowski sums and hulls of unions: each is the projection of a lifted system
+ * (lift/lift_private.h). */
 #include <fmb/lift.h>
 
 #include "lift/lift_private.h"
 #include "solve/query/solver.h"
 #include "system/system_private.h"
 
-/* What a verb is to hand out. */
+/* The outputs of a verb. */
 typedef struct lift_answer {
     fmb_system **lift; /* or NULL */
     fmb_system **out;
@@ -14,7 +14,7 @@ typedef struct lift_answer {
     const fmb_system *like, *graph; /* name the variables; graph may be NULL */
 } lift_answer;
 
-/* The verb's own refusal: what was wrong with the arguments stands in the lift. */
+/* Fail with the error text that the lift holds. */
 static fmb_status give_up_lift(fmb_solver *v, fmb_system *lift, fmb_status st)
 {
     if (st == FMB_ERR_ARG)
@@ -25,7 +25,7 @@ static fmb_status give_up_lift(fmb_solver *v, fmb_system *lift, fmb_status st)
     return st;
 }
 
-/* Its kept variables are the first ones. It counts among what the query holds. */
+/* Project the lift on its first variables. Its memory counts as that of the query. */
 static fmb_status project_lift(fmb_solver *v, fmb_system *lift, fmb_system **out, fmb_result *res)
 {
     int n = fmb_lift_dim(lift);
@@ -43,7 +43,7 @@ static fmb_status project_lift(fmb_solver *v, fmb_system *lift, fmb_system **out
     return st;
 }
 
-/* The whole space, which is all that is known at a limit. */
+/* Give the whole space, all that is known at a limit. */
 static fmb_status give_whole_space(fmb_solver *v, const fmb_result *r, const lift_answer *a)
 {
     fmb_system *space = NULL;
@@ -65,16 +65,16 @@ static fmb_status give_whole_space(fmb_solver *v, const fmb_result *r, const lif
     return FMB_OK;
 }
 
-/* From here on the lift, which nobody has filled yet, counts against the limit of a query. */
+/* Count the lift, which is still empty, against the memory limit of a query. */
 static void limit_lift(fmb_solver *v, fmb_system *lift)
 {
     if (v->options.max_bytes > 0)
-        fmb_arena_clear(&v->arena); /* what older queries left shall not count for this one */
+        fmb_arena_clear(&v->arena); /* memory of older queries must not count for this one */
     v->mem.limit = v->options.max_bytes;
     fmb_mem_enter(&lift->mem, &v->mem);
 }
 
-/* lift, which is limited, was filled with that status, and goes over to here. */
+/* Project lift and hand out the answers; filling it, with a limit, ended with st. Takes lift. */
 static fmb_status finish_lift(fmb_solver *v, fmb_system *lift, fmb_status st, const lift_answer *a)
 {
     const fmb_result at_limit = {.size = sizeof at_limit, .stop = FMB_STOP_BYTES};
@@ -132,8 +132,8 @@ fmb_status fmb_sum(fmb_solver *v, const fmb_system *const *s, size_t n, fmb_syst
 
 /* ---- hulls of several ------------------------------------------------------------------------ */
 
-/* Those of s that are not empty, in their order. At a limit *verdict is UNKNOWN, and r tells which.
- * Proofs of these verdicts are not kept: no answer tells of them. */
+/* Choose the nonempty ones of s, in order. At a limit *verdict is UNKNOWN, and r->stop says which.
+ * Proofs of these verdicts are not kept, as no answer shows them. */
 static fmb_status choose_nonempty(fmb_solver *v, const fmb_system *const *s, size_t n,
                                   const fmb_system **chosen, size_t *size, fmb_result *r)
 {
@@ -151,7 +151,7 @@ static fmb_status choose_nonempty(fmb_solver *v, const fmb_system *const *s, siz
     return st;
 }
 
-/* chosen[n] is room. One time and one cancel count for all queries. */
+/* chosen[n] is scratch. All queries share one deadline and one cancel. */
 static fmb_status find_hull_of_nonempty(fmb_solver *v, const fmb_system *const *s, size_t n,
                                         const fmb_system **chosen, fmb_system *t,
                                         const lift_answer *a)

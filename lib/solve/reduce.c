@@ -1,9 +1,8 @@
 /* reduce.c: the irredundant system.
  *
- * Parts with a point strictly inside, which most have, go through ray shooting
- * (lp/redundancy/ray_shooting/ray_shooting.h): the point tells that there is a solution, and the
- * ray shooting decides nearly all rows. The exact oracle decides about rows that are left, and
- * about parts without such a point.
+ * Most parts have a strictly interior point. Then the part is feasible, and ray shooting
+ * (lp/redundancy/ray_shooting/ray_shooting.h) decides nearly all rows. The exact oracle decides the
+ * remaining rows, and the parts without such a point.
  */
 #include "base/ways.h"
 #include "lp/redundancy/irredundant.h"
@@ -11,7 +10,7 @@
 #include "solve/query/solver.h"
 #include "system/system_private.h"
 
-/* A part on its way. */
+/* The reduction of one part. */
 typedef struct reduce_progress {
     fmb_query *q;
     const fmb_part *p;
@@ -21,7 +20,7 @@ typedef struct reduce_progress {
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
-/* By rows of the part. */
+/* Claim row i of the part with multipliers of the part's rows. */
 static fmb_status claim_combination(reduce_progress *g, fmb_claim_kind kind, size_t i,
                                     const fmb_weights *w)
 {
@@ -57,7 +56,7 @@ static fmb_status claim_irredundant_row(void *self, size_t i, mpq_t *x)
 
 /* ---- one part -------------------------------------------------------------------------------- */
 
-/* The part's rows, nothing known about them. */
+/* List the part's rows, all undecided. */
 static fmb_status list_rows_of_part(reduce_progress *g, int part)
 {
     fmb_query *q = g->q;
@@ -80,7 +79,7 @@ static bool is_some_row_unknown(const reduce_progress *g)
     return false;
 }
 
-/* *inner: there is a point strictly inside. */
+/* Decide rows by ray shooting; *inner: there is a strictly interior point. */
 static fmb_status shoot_rays_at_part(reduce_progress *g, const fmb_verdicts *told, bool *inner)
 {
     fmb_ray_shooting shooting;
@@ -92,7 +91,7 @@ static fmb_status shoot_rays_at_part(reduce_progress *g, const fmb_verdicts *tol
     return st;
 }
 
-/* Known to be feasible. */
+/* Let the oracle decide the remaining rows; the part is known to be feasible. */
 static fmb_status decide_open_rows(reduce_progress *g, int part, const fmb_verdicts *told)
 {
     bool feasible;
@@ -103,7 +102,7 @@ static fmb_status decide_open_rows(reduce_progress *g, int part, const fmb_verdi
     return st;
 }
 
-/* fate[rows] is by row of the system. */
+/* Decide all rows of a part; fate[] is indexed by row of the system. */
 static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
 {
     reduce_progress g = {.q = q, .p = &q->parts.part[part]};
@@ -128,7 +127,7 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
 
 /* ---- all parts ------------------------------------------------------------------------------- */
 
-/* Rows that name no variable are true here, and follow from nothing at all. */
+/* Rows that name no variable are true here, hence redundant: no multipliers are needed. */
 static fmb_status drop_constant_rows(fmb_query *q, fmb_fate *fate)
 {
     fmb_claim *claim;
@@ -144,8 +143,8 @@ static fmb_status drop_constant_rows(fmb_query *q, fmb_fate *fate)
     return FMB_OK;
 }
 
-/* The rows that stay, in their order. LIMIT, and no system, where the limit has no room for a copy
- * of s: all rows are there on the way. */
+/* Make a system of the kept rows, in order. LIMIT, and no system, if the memory limit has no room
+ * for a copy of s, with which it begins. */
 static fmb_status build_reduced_system(const fmb_system *s, const fmb_fate *fate, fmb_mem *mem,
                                        fmb_system **out)
 {
@@ -185,11 +184,11 @@ fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_sy
     size_t rows = fmb_system_rows(s);
     fmb_fate *mine = fmb_mem_zero(&v->mem, rows, sizeof *mine);
     if (!mine) {
-        v->answered = false; /* the evidence at hand is that of an older query */
+        v->answered = false; /* the evidence is that of an older query */
         return FMB_ERR_MEMORY;
     }
     fmb_status st = fmb_query_begin(&q, v, s, "reduce");
-    fmb_mem result = {.used = s->mem.used}; /* it is made at the end, but has its place now */
+    fmb_mem result = {.used = s->mem.used}; /* reserves the memory of the result */
     fmb_mem_enter(&result, &v->mem);
     FMB_THEN(st, decide_all_rows(&q, mine, &verdict));
     fmb_mem_leave(&result);

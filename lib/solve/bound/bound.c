@@ -1,8 +1,8 @@
 /* bound.c: the tightest interval of each variable.
  *
- * Each end is a linear program in the variable's own part, from the vertex of the end before.
- * With method fm the part's other variables are eliminated instead (halving.c). At a limit, the
- * ends not yet known are the best that is proved at little cost (outer.h).
+ * Each end is a linear program in the variable's own part, started from the previous optimal
+ * vertex. With method fm the part's other variables are eliminated instead (halving.c). At a limit,
+ * unknown ends become the best bounds that can be proved at little cost (outer.h).
  */
 #include "solve/bound/ends.h"
 #include "solve/limit/outer.h"
@@ -40,7 +40,7 @@ static fmb_status find_end_by_oracle(fmb_query *q, int var, fmb_side side, fmb_e
     return push_end_by_oracle(&j, part);
 }
 
-/* Lower ends, then upper ones: one is often where the one before was. */
+/* First the lower ends, then the upper ones: consecutive optima often share a vertex. */
 static fmb_status find_ends_of_part(fmb_query *q, fmb_box *box, int i, const int *next)
 {
     for (int k = FMB_LOWER; k <= FMB_UPPER; k++)
@@ -78,7 +78,7 @@ static fmb_status find_ends_by_oracles(fmb_query *q, fmb_box *box, const bool *d
 /* Few ends are not worth a second thread. */
 #define FEW_ENDS 32
 
-/* The variables of a part that are asked for, by several threads if that may pay; *done if so. */
+/* Bound the queried variables of a part by several threads, if that may pay; *done if so. */
 static fmb_status bound_part_together(fmb_query *q, int part, fmb_box *box, bool *done)
 {
     int count = 0;

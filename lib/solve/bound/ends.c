@@ -45,7 +45,7 @@ fmb_status fmb_find_end(fmb_oracle *o, int column, int sign, fmb_mem *mem, fmb_f
     return st;
 }
 
-/* fmb_bound_claim and fmb_bound_claim_unbounded read the query's x. */
+/* Swap f's point with the query's x, which fmb_bound_claim and fmb_bound_claim_unbounded read. */
 static void lend_point(fmb_bound_job *j, fmb_found_end *f)
 {
     for (int k = 0; f->x && k < j->p->n; k++)

@@ -1,8 +1,8 @@
 /* halving.c: intervals by elimination, by divide and conquer over sets of variables.
  *
- * When all other variables of a part are gone, the rows that remain are the ends. Of a set of
- * variables that are asked for, one half is eliminated and the other half bounded the same way;
- * then, from where it was before, the other way round. So D variables cost about D log D
+ * When all other variables of a part have been eliminated, the remaining rows are the ends. Given a
+ * set of variables to bound, one half is eliminated and the other half bounded recursively; then
+ * the state before is restored, and the halves swap roles. So D variables cost about D log D
  * eliminations, not D (D - 1), and the first ones, which all share, are done once.
  */
 #include <string.h>
@@ -16,8 +16,7 @@
 
 /* ---- by elimination -------------------------------------------------------------------------- */
 
-/* sign x_var <= sign value is the row divided by |its coefficient|; an equality may be turned
- * round. */
+/* sign x_var <= sign value is the row divided by |its coefficient|; an equality may be negated. */
 static fmb_status claim_end_of_row(fmb_bound_job *j, const fmb_elim *e, uint32_t row)
 {
     const fmb_derived *r = &e->row[row];
@@ -38,7 +37,7 @@ static fmb_status claim_end_of_row(fmb_bound_job *j, const fmb_elim *e, uint32_t
     return st;
 }
 
-/* The end is in row, which names no other variable; FMB_NO_ROW: it is infinite. */
+/* The end is given by row, which names no other variable; FMB_NO_ROW: it is infinite. */
 static fmb_status set_end_from_row(fmb_bound_job *j, const fmb_elim *e, uint32_t row)
 {
     if (row != FMB_NO_ROW) {
@@ -54,7 +53,7 @@ static fmb_status set_end_from_row(fmb_bound_job *j, const fmb_elim *e, uint32_t
     return FMB_OK;
 }
 
-/* Both ends of a variable. plane: one more is left; NULL: none is. */
+/* Both ends of a variable. plane: one other variable remains; NULL: none does. */
 static fmb_status read_both_ends(fmb_bound_job *j, fmb_elim *e, fmb_plane *plane,
                                  fmb_exact_side *side)
 {
@@ -74,7 +73,7 @@ static fmb_status read_both_ends(fmb_bound_job *j, fmb_elim *e, fmb_plane *plane
 
 /* ---- divide and conquer ---------------------------------------------------------------------- */
 
-/* A part on its way. */
+/* The recursion on one part. */
 typedef struct split {
     fmb_query *q;
     const fmb_part *p;
@@ -82,7 +81,7 @@ typedef struct split {
     fmb_elim e;
     bool *drop;  /* [n] scratch */
     size_t *tie; /* [n] scratch */
-    bool marks;  /* the elimination can be returned to a mark */
+    bool marks;  /* the elimination can be restored from a mark */
 } split;
 
 static fmb_status eliminate_columns(split *d, const int *column, int columns)
@@ -94,7 +93,7 @@ static fmb_status eliminate_columns(split *d, const int *column, int columns)
     return fmb_elim_eliminate(&d->e, d->drop);
 }
 
-/* The ends of a column into every interval of its variable. */
+/* Copy the ends of a column into every interval of its variable. */
 static fmb_status read_ends_of_column(split *d, int column, fmb_plane *plane)
 {
     fmb_bound_job j = {.q = d->q, .p = d->p, .var = d->p->var[column], .column = column};
@@ -104,7 +103,7 @@ static fmb_status read_ends_of_column(split *d, int column, fmb_plane *plane)
     return FMB_OK;
 }
 
-/* Bound x; only y is left beside it. *done: false if it cannot be done without eliminating y. */
+/* Bound x, where only x and y remain. *done false: that needs an elimination of y. */
 static fmb_status read_ends_in_plane(split *d, int x, int y, bool *done)
 {
     fmb_plane plane;
@@ -116,7 +115,7 @@ static fmb_status read_ends_in_plane(split *d, int x, int y, bool *done)
     return st;
 }
 
-/* Add the number of rows that column c shares with each. */
+/* Add to each column's tie the number of rows that it shares with column c. */
 static void add_shared_rows(split *d, int c)
 {
     const fmb_elim *e = &d->e;
@@ -127,8 +126,8 @@ static void add_shared_rows(split *d, int c)
     }
 }
 
-/* Which half goes first? So that variables in the same rows stay together, the column least tied to
- * others comes first, then always the one most tied to those before it. */
+/* Order the columns before halving. So that variables of the same rows end up in the same half, the
+ * column least tied to others comes first, then always the one most tied to its predecessors. */
 static void order_by_shared_rows(split *d, int *column, int columns)
 {
     memset(d->tie, 0, (size_t)d->p->n * sizeof *d->tie);
@@ -152,7 +151,7 @@ static void order_by_shared_rows(split *d, int *column, int columns)
 
 static fmb_status bound_columns_left(split *d, int *column, int columns);
 
-/* Eliminate the others, of which there are n, and bound column[0..columns). */
+/* Eliminate the n columns others[] and bound column[0..columns). */
 static fmb_status bound_first_half(split *d, int *column, int columns, const int *others, int n)
 {
     bool done = false;
@@ -168,7 +167,7 @@ static fmb_status bound_first_half(split *d, int *column, int columns, const int
     return bound_columns_left(d, column, columns);
 }
 
-/* Bound column[0..columns), which are all that is left. */
+/* Bound column[0..columns), which are all remaining columns. */
 static fmb_status bound_columns_left(split *d, int *column, int columns)
 {
     fmb_mark mark;
@@ -182,7 +181,7 @@ static fmb_status bound_columns_left(split *d, int *column, int columns)
     return bound_first_half(d, column + half, columns - half, column, half);
 }
 
-/* The same for rules that a mark cannot bring back: each column from the start. */
+/* For rules whose state a mark cannot restore: bound each column from the start. */
 static fmb_status bound_each_from_start(split *d, int *column, int columns)
 {
     for (int i = 0; i < columns; i++) {
@@ -198,7 +197,7 @@ static fmb_status bound_each_from_start(split *d, int *column, int columns)
     return FMB_OK;
 }
 
-/* The columns whose variables the box asks for come first; their number. */
+/* Put the columns of the box's variables first; returns their number. */
 static int sort_columns_asked(const split *d, int *column)
 {
     int asked = 0, others = d->p->n;

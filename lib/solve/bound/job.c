@@ -1,4 +1,4 @@
-/* job.c: what the ends of variables claim; see job.h. */
+/* job.c: claims for the ends of variables; see job.h. */
 #include "solve/bound/job.h"
 
 fmb_status fmb_bound_claim(fmb_bound_job *j, const fmb_weights *w)

@@ -28,8 +28,8 @@ void fmb_plane_close(fmb_plane *p)
     p->e->rounds--;
 }
 
-/* The bound that a row puts on y, as a line over t = sign x: its value at t, and as t grows beyond
- * all bounds what counts first is the slope. */
+/* The bound that a row sets on y, as a line over t = sign x. Lines are compared by their values at
+ * t; while t is infinite, by their slopes first. */
 typedef struct line {
     mpq_t at_zero, slope, at_t;
     uint32_t row; /* FMB_NO_ROW: none */
@@ -39,14 +39,14 @@ typedef struct line {
 typedef struct search {
     fmb_plane *p;
     int sign;
-    line lower, upper, next; /* greatest lower line, least upper line, the line being looked at */
+    line lower, upper, next; /* greatest lower line, least upper line, the line being compared */
     mpq_t t, s;
     bool finite;         /* t is */
-    uint32_t row;        /* what makes t: a row over x alone; or, if FMB_NO_ROW, */
-    uint32_t from, with; /* a lower and an upper row to be combined */
+    uint32_t row;        /* the row over x alone that gives t; or, if FMB_NO_ROW, */
+    uint32_t from, with; /* the lower and the upper row whose combination gives t */
 } search;
 
-/* Row r, a x + c y <= b: (b - a sign t) / c. */
+/* Row r, a x + c y <= b, bounds y by (b - a sign t) / c. */
 static void read_bound_as_line(search *h, uint32_t r)
 {
     const fmb_vec *v = &h->p->e->row[r].v;
@@ -63,7 +63,7 @@ static void read_bound_as_line(search *h, uint32_t r)
     l->row = r;
 }
 
-/* Take the line just read for the best of its side, if it is. */
+/* If the line just read is the best of its side so far, keep it. */
 static void offer_as_extreme_line(search *h, bool upper)
 {
     line *best = upper ? &h->upper : &h->lower, *next = &h->next;
@@ -128,7 +128,7 @@ static void take_extreme_pair(search *h)
     h->with = h->upper.row;
 }
 
-/* One step from t to where the pair at hand meets; false: t is the greatest, or unbounded. */
+/* One step from t to where the extreme pair meets; false: t is the maximum, or unbounded. */
 static bool take_newton_step(search *h)
 {
     const fmb_derived *row = h->p->e->row;
@@ -141,7 +141,7 @@ static bool take_newton_step(search *h)
         bool open = row[h->lower.row].strict || row[h->upper.row].strict;
         if (gap == 0 && open && mpq_sgn(h->s) > 0 && !is_extreme_strict(h))
             take_extreme_pair(h);
-        if (gap >= 0 || mpq_sgn(h->s) <= 0) /* the latter: no solution, so some rule has lied */
+        if (gap >= 0 || mpq_sgn(h->s) <= 0) /* the latter: no solution, a rule was unsound */
             return false;
     } else if (mpq_sgn(h->s) <= 0) {
         return false;

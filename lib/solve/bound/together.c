@@ -1,8 +1,8 @@
 /* together.c: ends of variables, by several threads; see ends.h.
  *
- * Variables come in groups of a fixed size, each with an oracle of its own that starts anew: so
- * what is found does not depend on how many threads there are, or on which of them was faster.
- * Claims are made afterwards, in order, by the thread that asked.
+ * Variables come in groups of a fixed size, each with a fresh oracle of its own, so the result does
+ * not depend on the number of threads, nor on which of them was faster. Claims are made afterwards,
+ * in order, by the calling thread.
  */
 #include "solve/bound/ends.h"
 #include "trace/team.h"
@@ -71,7 +71,7 @@ static void close_group(shared_search *t, group *g)
         fmb_found_end_clear(&g->end[k / 2][k % 2], (size_t)t->p->n, g->mem);
 }
 
-/* Notes what was found, then says what went wrong first. */
+/* Note the ends that were found, then return the first error. */
 static fmb_status find_and_note_all_ends(shared_search *t, fmb_box *box)
 {
     fmb_team team;

@@ -3,7 +3,7 @@
 #include "system/generators_private.h"
 #include "system/system_private.h"
 
-/* Is some point in the closure, and every strict row positive somewhere? */
+/* Is there a point in the closure, and for every strict row one where the row is strict? */
 static bool has_solution(fmb_lifted *h)
 {
     bool solution = h->image.has_point;
@@ -32,7 +32,7 @@ static fmb_status copy_generators(const fmb_lifted *h, fmb_generators *to)
     return st;
 }
 
-/* Rays in h->image: is there a solution, and what are they? */
+/* From the rays in h->image: decide whether there is a solution, and copy the generators. */
 static fmb_status take_generators(fmb_lifted *h, fmb_generators *to, fmb_verdict *verdict)
 {
     bool solution = has_solution(h);
@@ -40,7 +40,7 @@ static fmb_status take_generators(fmb_lifted *h, fmb_generators *to, fmb_verdict
     return solution ? copy_generators(h, to) : FMB_OK;
 }
 
-/* Some of them. Where these tell no solution, there may be one. */
+/* Find some generators after a limit. If they show no solution, the verdict stays UNKNOWN. */
 static fmb_status generate_some(fmb_lifted *h, fmb_generators *to, fmb_verdict *verdict)
 {
     fmb_run *run = &h->q->run;

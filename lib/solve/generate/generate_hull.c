@@ -12,7 +12,7 @@ static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
     return FMB_OK;
 }
 
-/* Those that a few support queries tell. */
+/* Find the facets that a few support queries prove. */
 static fmb_status find_some_facets(fmb_image *m)
 {
     fmb_mem *mem = m->run->mem;
@@ -63,7 +63,7 @@ static fmb_status find_hull(fmb_query *q, const fmb_generators *g, fmb_system *o
     return st;
 }
 
-/* The query is one about a system without rows: what it needs of one is its dimension. */
+/* The query runs on a system without rows, of which it needs only the dimension. */
 static fmb_status ask_for_hull(fmb_solver *v, const fmb_generators *g, fmb_system *hull,
                                fmb_verdict *verdict, fmb_result *res)
 {

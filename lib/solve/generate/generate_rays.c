@@ -1,15 +1,15 @@
-/* generate_rays.c: which way to rays; see some_rays.h.
+/* generate_rays.c: the choice of an algorithm for rays; see some_rays.h.
  *
- * - Few coordinates and many rows: rows are vectors of the dual cone, whose facets are the rays.
- *   Vector by vector these stay known with their neighbours (hull/facets/facets.h). With some
- * coordinates more that is cheaper only where numbers grow long, as facets are in doubles for most
- * of their lives, or rows are very many, of which most are behind some facet at once; and where few
- * rows meet in a vertex.
- * - Else double description (dd/cone.h), rows of few coefficients first. Where rows look alike and
- *   there are many of them, its order can go wrong without bounds: of the cross-polytope's rows
- *   it keeps those that cut most, and gets millions of rays in between, where in lexicographic
- *   order there are hundreds. So that order gets its turns: the first ones where rows have a
- *   pattern, that is where each agrees with the one before it in most of its entries.
+ * - Few coordinates and many rows: rows are generators of the dual cone, whose facets are the rays.
+ *   The incremental hull keeps facets with their neighbours (hull/facets/facets.h). With a few more
+ *   coordinates that is cheaper only where numbers grow long, as facets are kept in doubles most of
+ *   the time, or where there are very many rows, most of which lie behind a facet at once; and
+ *   where few rows meet in a vertex.
+ * - Else double description (dd/cone.h), rows of few coefficients first. For many rows that look
+ *   alike, its insertion order can be arbitrarily bad: for the rows of a cross-polytope it inserts
+ *   those that cut most, with millions of intermediate rays where the lexicographic order has
+ *   hundreds. So the lexicographic order gets turns: the first ones where rows have a pattern, that
+ *   is where each agrees with its predecessor in most entries.
  */
 #include "solve/generate/some_rays.h"
 
@@ -17,18 +17,18 @@
 
 #include "hull/facets/facets.h"
 
-/* Up to so many coordinates, t included, facets with their neighbours are cheaper (measured: 2 to 4
- * times with 4 or 5, half as much with 7) ... */
+/* Up to so many coordinates, t included, the incremental hull is cheaper (measured: 2 to 4 times
+ * with 4 or 5, half as fast with 7) ... */
 #define FEW_COORDINATES 6
-/* ... if there are so many rows for each; and with one coordinate more, if there are so many. */
+/* ... with so many rows per coordinate; with one coordinate more, VERY_MANY_ROWS of them. */
 #define MANY_ROWS      4
 #define VERY_MANY_ROWS 32
-/* Rays of so many bits, as Hadamard's inequality has it, mostly do not fit into 62 (measured). */
+/* Rays with such a Hadamard bound [bits] mostly do not fit into 62 bits (measured). */
 #define LONG_BITS 72
 /* Rays of the first turn and the last one of two orders. */
 #define FIRST_RAYS 512
 #define LAST_RAYS  4096
-/* Between two looks at options.max_rows, and where there is no limit. */
+/* Rays between two checks of options.max_rows, also where there is no limit. */
 #define RAYS_AT_A_TIME 512
 #define RAYS_AT_ONCE   65536
 
@@ -62,7 +62,7 @@ static fmb_status sort_rows(const fmb_lifted *h, fmb_cone_row *row)
     return FMB_OK;
 }
 
-/* Do sorted rows agree with those before them in half of their leading entries, on average? */
+/* Do sorted rows agree with their predecessors in half of their leading entries, on average? */
 static bool have_rows_a_pattern(const fmb_lifted *h, const fmb_cone_row *sorted)
 {
     size_t shared = 0;
@@ -93,7 +93,7 @@ static fmb_status find_rays_as_facets(fmb_lifted *h)
 
 /* ---- double description ---------------------------------------------------------------------- */
 
-/* Go on until that many more rays were made (0: any number); those alive count as rows. */
+/* Continue until so many more rays were made (0: any number); live rays count as rows. */
 static fmb_status run_cone(fmb_cone *c, uint64_t rays, bool *done)
 {
     uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
@@ -105,7 +105,7 @@ static fmb_status run_cone(fmb_cone *c, uint64_t rays, bool *done)
     return FMB_OK;
 }
 
-/* Do all inequalities but t >= 0 have as many coefficients? */
+/* Do all inequalities but t >= 0 have the same number of coefficients? */
 static bool do_rows_look_alike(const fmb_cone *c)
 {
     size_t seen = 0;
@@ -119,8 +119,8 @@ static bool do_rows_look_alike(const fmb_cone *c)
     return true;
 }
 
-/* Two orders in turns of 512 and 4,096 rays: the lexicographic one gets twice as many, and where it
- * comes first four times. *done: by one of them, and h->image has the rays. */
+/* Two orders in turns of 512 and 4,096 rays: the lexicographic one gets twice as many, and four
+ * times as many where it comes first. *done: one of them ended, and h->image has the rays. */
 static fmb_status run_in_turns(fmb_lifted *h, const fmb_cone_row *sorted, bool *done)
 {
     fmb_cone lexicographic = {0};
@@ -154,8 +154,8 @@ static fmb_status find_rays_row_by_row(fmb_lifted *h, const fmb_cone_row *sorted
 
 /* ---- the way --------------------------------------------------------------------------------- */
 
-/* Does the origin satisfy all inequalities? Then they are points of the polar, and the farthest of
- * these are on its hull. */
+/* Does the origin satisfy all inequalities? Then they are points of the polar polytope, and the
+ * farthest of these points are vertices of their hull. */
 static bool is_origin_inside(const fmb_lifted *h)
 {
     for (size_t i = 0; i < h->rows.size; i++)
@@ -164,7 +164,7 @@ static bool is_origin_inside(const fmb_lifted *h)
     return true;
 }
 
-/* Of more than a few coordinates. */
+/* Is the incremental hull cheaper, with more than a few coordinates? */
 static bool are_facets_cheaper(const fmb_lifted *h, const fmb_cone_row *sorted)
 {
     bool many = h->rows.size >= VERY_MANY_ROWS * h->d && is_origin_inside(h);
@@ -173,7 +173,7 @@ static bool are_facets_cheaper(const fmb_lifted *h, const fmb_cone_row *sorted)
            !have_rows_a_pattern(h, sorted);
 }
 
-/* sorted: NULL, in the order that the cone likes. */
+/* sorted: the order of insertion; NULL: the cone's default. */
 static fmb_status find_rays(fmb_lifted *h, const fmb_cone_row *sorted, bool facets)
 {
     const fmb_attempt a = {.engine = facets ? "hull of the polar" : "double description",

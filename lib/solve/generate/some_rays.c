@@ -3,7 +3,7 @@
 
 #include "hull/section/section.h"
 
-/* Where no clock ends the search: rays for each coordinate, and pairs of facets of their hull. */
+/* Bounds of a search without a clock: rays per coordinate, and pairs of facets of their hull. */
 #define RAYS_OF_COORDINATE 4
 #define PAIRS_OF_SEARCH    ((uint64_t)1 << 12)
 
@@ -37,7 +37,7 @@ static fmb_status copy_rows(const fmb_cone_row *row, size_t rows, size_t d, fmb_
     return FMB_OK;
 }
 
-/* What has been found when time is up is looked at to the end. */
+/* Query the section, then take the rays found so far without a deadline. */
 static fmb_status ask_and_take(fmb_run *run, const fmb_vec *v, size_t m, size_t d, fmb_image *image)
 {
     fmb_section c;
@@ -71,7 +71,7 @@ fmb_status fmb_find_some_rays(fmb_run *run, const fmb_cone_row *row, size_t rows
         fmb_vec_clear(&v[i], d, run->mem);
     fmb_mem_put(run->mem, v, m, sizeof *v);
     fmb_arena_clear(&arena);
-    if (st == FMB_LIMIT) /* what there is may be half done */
+    if (st == FMB_LIMIT) /* the image may be incomplete */
         fmb_image_clear(image);
     run->stop = run->stop == FMB_STOP_CANCELLED ? FMB_STOP_CANCELLED : why;
     return st == FMB_LIMIT ? FMB_OK : st;

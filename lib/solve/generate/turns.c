@@ -1,27 +1,27 @@
-/* turns.c: facets of hulls by ways in turns; see some_rays.h.
+/* turns.c: facets of hulls by several methods in turns; see some_rays.h.
  *
- * Facets are the rays of the dual cone, whose rows are vertices and rays of the hull. Row by row
- * (dd/cone.h) there may be very many rays in between, in one order or in another: lexicographic, or
- * rows of few coefficients first. Where facets are far fewer than rows, support queries of a
- * section of the cone find them one by one (hull/section/section.h). None is best on all; so each
- * gets its turn, and then a longer one. Once it is seen that facets are not few, queries end.
+ * Facets are the rays of the dual cone, whose rows are vertices and rays of the hull. Double
+ * description (dd/cone.h) may have very many intermediate rays in one of its two insertion orders:
+ * lexicographic, or rows of few coefficients first. Where facets are far fewer than rows, support
+ * queries of a section of the cone find them one by one (hull/section/section.h). No method is best
+ * on all inputs, so they take turns of growing length. Queries end once facets prove to be many.
  */
 #include "solve/generate/some_rays.h"
 
 #include "hull/section/section.h"
 
-/* With fewer generators for each coordinate, facets mostly are more than those, or soon found. */
+/* With fewer generators per coordinate, facets mostly outnumber them, or are soon found. */
 #define MANY_RAYS 16
-/* With fewer coordinates, facets come as quickly generator by generator (measured: with one more, a
- * section takes a fifth to 1.3 of that). */
+/* With fewer coordinates, inserting generators one by one is as quick (measured: with one more, a
+ * section takes 0.2 to 1.3 times as long). */
 #define SECTION_COORDINATES 7
-/* Rays of the first turn, and so many for each row; each turn is LONGER times the one before. */
+/* Rays of the first turn: a constant, and so many per row; each turn is LONGER times the last. */
 #define RAYS_OF_FIRST_TURN 4096
 #define RAYS_OF_ROW        4
 #define LONGER             8
-/* Pairs of facets that a section may look at for each of these. */
+/* Pairs of facets that a section may test for each ray of a turn. */
 #define PAIRS_OF_RAY 512
-/* Facets are few if they are no more than two for each coordinate, and one for so many rows. */
+/* Facets are few if there are at most two per coordinate, and one per so many rows. */
 #define ROWS_OF_FACET 8
 
 typedef struct turns {

@@ -3,8 +3,8 @@
 
 #include "solve/limit/outer_ends.h"
 
-/* A derivation is read in time and memory like the number of rows in the store; of a larger one
- * only the base rows count. */
+/* Reading a derivation takes time and memory proportional to the rows of the store; a larger store
+ * with derived rows is not read. */
 #define MOST_ROWS_READ ((size_t)1 << 15)
 
 /* ---- ends ------------------------------------------------------------------------------------ */
@@ -42,7 +42,7 @@ static fmb_status put_outer_end(fmb_query *q, const fmb_part *p, const fmb_ends 
     return FMB_OK;
 }
 
-/* Into every interval of a variable of the part. */
+/* Put the ends into every interval of a variable of the part. */
 static fmb_status put_outer_ends(fmb_query *q, const fmb_part *p, const fmb_ends *f, fmb_box *box)
 {
     const fmb_part *first = q->parts.part;
@@ -82,7 +82,7 @@ static bool is_some_end_unknown(const fmb_query *q, int part, const fmb_box *box
     return false;
 }
 
-/* The claims of these ends are gone. */
+/* Forget all outer ends, whose claims were discarded. */
 static void forget_outer_ends(fmb_box *box)
 {
     for (int i = 0; i < box->size; i++)
@@ -91,7 +91,7 @@ static void forget_outer_ends(fmb_box *box)
                 box->side[i][side].kind = FMB_END_UNKNOWN;
 }
 
-/* The rows contradict each other. */
+/* Claim INFEASIBLE: the rows contradict each other. */
 static fmb_status claim_clash_of_ends(fmb_query *q, const fmb_part *p, const fmb_elim *e,
                                       fmb_box *box, fmb_verdict *verdict)
 {

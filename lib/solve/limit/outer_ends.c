@@ -1,11 +1,11 @@
 /* outer_ends.c: see outer_ends.h. */
 #include "solve/limit/outer_ends.h"
 
-/* In all: some milliseconds. One derivation at most looks at a row for each of its variables. */
+/* Total work: some milliseconds. One derivation reads at most one row for each variable. */
 #define WORK   ((size_t)1 << 17)
 #define PASSES 4
-/* Wide entries count for more: to multiply and to divide them takes up to the square of their
- * length. An end of more digits than this is not looked for. */
+/* Wide entries count for more, as multiplication and division of them are up to quadratic in their
+ * length. Ends of more digits than this are not computed. */
 #define WIDE_WORK 8
 #define MOST_BITS 1024
 
@@ -51,7 +51,7 @@ uint32_t fmb_end_tightest_row(const fmb_elim *e, int column, int sign)
 
 /* ---- a better end ---------------------------------------------------------------------------- */
 
-/* Is value, not reached if open, a better end than what is known? */
+/* Is value, not attained if open, a better end than the known one? */
 static bool is_better_end(const fmb_ends *f, fmb_side side, int c, const mpq_t value, bool open)
 {
     uint32_t known = f->row[side][c];
@@ -72,7 +72,7 @@ static fmb_status derive_clash_of_ends(fmb_ends *f, int c)
     bool open = f->e->row[lower].strict || f->e->row[upper].strict;
     if (order < 0 || (order == 0 && !open))
         return FMB_OK;
-    bool turn = f->e->row[lower].equality; /* the second one may be subtracted, if an equality */
+    bool turn = f->e->row[lower].equality; /* the second row may be subtracted, if an equality */
     return fmb_elim_derive_row(f->e, turn ? upper : lower, turn ? lower : upper, c, &clash);
 }
 
@@ -105,7 +105,7 @@ static fmb_status take_single_row(fmb_ends *f, uint32_t i)
 
 /* ---- a row over ends ------------------------------------------------------------------------- */
 
-/* Cancel every column of row r but c, so that what is left is an end of that side. An inequality is
+/* Cancel every column of row r but c, so that the result is an end of that side. An inequality is
  * added as it is; an equality in whichever direction the end needs. */
 static fmb_status derive_end_row(fmb_ends *f, uint32_t r, int c, fmb_side side, uint32_t *out)
 {
@@ -118,16 +118,16 @@ static fmb_status derive_end_row(fmb_ends *f, uint32_t r, int c, fmb_side side, 
             continue;
         bool turned = d->equality && fmb_vec_sgn(&d->v, (size_t)c) != (side == FMB_UPPER ? 1 : -1);
         uint32_t end = f->row[(turned ? -sign : sign) > 0 ? FMB_LOWER : FMB_UPPER][k];
-        (void)spend_work_on_row(f, &d->v); /* a chain that was begun is finished */
+        (void)spend_work_on_row(f, &d->v); /* a derivation that was begun is finished */
         st = fmb_elim_derive_row(e, turned ? end : r, turned ? r : end, k, &r);
     }
     *out = r;
     return st;
 }
 
-/* What a row in one direction is worth at the ends. */
+/* The minimum of a row's left side, in one direction, over the ends. */
 typedef struct worth {
-    mpq_t sum; /* of the terms at those ends of their columns where they are least */
+    mpq_t sum; /* of the finite minima of the terms */
     int infinite, open;
     int column; /* the last infinite one */
     mpq_t t, a;
@@ -159,7 +159,7 @@ static void add_up_least_terms(const fmb_ends *f, const fmb_derived *r, int dire
     }
 }
 
-/* Bound column c by row i, whose other terms are worth w: a x_c <= b - (sum of the others). */
+/* Bound column c by row i with the minima w of its other terms: a x_c <= b - (their sum). */
 static fmb_status bound_column_by_row(fmb_ends *f, uint32_t i, int direction, int c, worth *w)
 {
     const fmb_derived *r = &f->e->row[i];
@@ -206,7 +206,7 @@ static fmb_status take_all_single_rows(fmb_ends *f)
     return st;
 }
 
-/* One pass over the first rows: derived ones say more at once than those they come from. */
+/* One pass over the first rows, derived ones included: they imply more than their parents do. */
 static fmb_status propagate_once(fmb_ends *f, size_t rows, worth *w)
 {
     fmb_status st = FMB_OK;

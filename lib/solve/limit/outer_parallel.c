@@ -1,16 +1,15 @@
-/* outer_parallel.c: of parallel rows of an outer projection the tightest is left; see outer.h.
+/* outer_parallel.c: keeps the tightest of parallel rows of an outer projection; see outer.h.
  *
- * What bounds a variable at once, what an elimination came to and what support queries proved may
- * say the same, or less.
+ * Ends of variables, rows of an elimination and rows proved by support queries may be parallel.
  */
 #include "lp/redundancy/parallel_rows.h"
 #include "solve/limit/outer.h"
 #include "system/system_private.h"
 
-/* More rows stay as they are. */
+/* More rows are not compared. */
 #define MOST_ROWS_COMPARED ((size_t)1 << 14)
 
-/* The query has ended, so it is not asked whether to go on. */
+/* Runs without limits, as the query has already reached one. */
 static fmb_status decide_parallel_rows(fmb_query *q, size_t n, size_t m, const fmb_lp_row *row,
                                        fmb_fate *fate)
 {

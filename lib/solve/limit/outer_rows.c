@@ -1,20 +1,20 @@
 /* outer_rows.c: an outer projection; see outer.h.
  *
- * Rows that name kept variables only follow from the system, wherever the elimination was cut
- * short; so do ends of kept variables.
+ * Rows that name kept variables only follow from the system, wherever the elimination stopped; so
+ * do ends of kept variables.
  */
 #include "solve/limit/outer.h"
 #include "solve/limit/outer_ends.h"
 #include "system/system_private.h"
 
-/* Entries that are looked at in all rows, and rows that are looked at in all derivations. */
+/* Total entries read in rows, and total rows read in derivations. */
 #define MOST_ENTRIES ((size_t)1 << 20)
 #define MOST_STEPS   ((size_t)1 << 21)
-/* What loading a part takes at most, some milliseconds: an entry counts once, and the square of its
- * length in limbs, as rows are divided by what their entries have in common. */
+/* The most work of loading a part, some milliseconds: an entry counts 1 plus the square of its
+ * length in limbs, as rows are divided by the common divisor of their entries. */
 #define MOST_LOADING ((size_t)1 << 24)
 
-/* A part on its way. */
+/* The outer projection of one part. */
 typedef struct image {
     fmb_query *q;
     const fmb_part *p;
@@ -38,7 +38,7 @@ static bool names_kept_columns_only(const image *m, const fmb_derived *r)
     return any;
 }
 
-/* A row of the store, with its claim. */
+/* Append a row of the store, with its claim. */
 static fmb_status put_implied_row(image *m, uint32_t r)
 {
     fmb_derived *d = &m->e->row[r];
@@ -58,7 +58,7 @@ static fmb_status put_all_implied_rows(image *m)
     return FMB_OK;
 }
 
-/* Ends that are not rows already. */
+/* Append the ends that are not rows already. */
 static fmb_status put_ends_as_rows(image *m, const fmb_ends *f, size_t rows)
 {
     for (int c = 0; c < m->p->n; c++)
@@ -88,8 +88,8 @@ fmb_status fmb_outer_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, const in
     return opened == FMB_LIMIT ? FMB_OK : opened;
 }
 
-/* The rows contradict each other. Claims made so far are gone, so without a new one rows go, too.
- */
+/* The rows contradict each other. Claiming this discards all other claims; if it fails, out loses
+ * its rows, too. */
 static fmb_status refute_by_clash(fmb_query *q, const fmb_part *p, const fmb_elim *e,
                                   fmb_system *out, fmb_verdict *verdict)
 {
@@ -101,8 +101,8 @@ static fmb_status refute_by_clash(fmb_query *q, const fmb_part *p, const fmb_eli
     return st;
 }
 
-/* Is the part loaded, or soon would be? Rows of long numbers that the limit left no time for are
- * not loaded behind it. */
+/* Is the part loaded, or quick to load? Rows of long numbers that were not loaded before the limit
+ * are not loaded after it. */
 static bool is_loading_short(const fmb_query *q, const fmb_part *p)
 {
     size_t work = 0;
@@ -114,7 +114,7 @@ static bool is_loading_short(const fmb_query *q, const fmb_part *p)
     return work <= MOST_LOADING;
 }
 
-/* From the rows of the part alone. */
+/* Append rows and ends derived from the rows of the part alone. */
 static fmb_status put_part_at_limit(fmb_query *q, const fmb_part *p, const int *place,
                                     fmb_system *out, fmb_verdict *verdict)
 {

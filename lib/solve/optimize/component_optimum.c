@@ -32,7 +32,7 @@ static void forget_optimum(fmb_component_optimum *k, fmb_query *q)
     fmb_weights_clear(&k->w, q->run.mem);
 }
 
-/* The row that says what z is has done its work. */
+/* Drop the weight of the row z = goal, which is no row of the part. */
 static void drop_weight_of_goal_row(fmb_component_optimum *k, const fmb_part *with_objective)
 {
     size_t kept = 0;
@@ -74,7 +74,7 @@ static fmb_status read_optimum_of_oracle(fmb_query *q, const fmb_part *p, const 
 {
     k->kind = FMB_END_FINITE;
     fmb_status st = fmb_oracle_value(o, k->value);
-    for (int j = 0; j < p->n; j++) /* as often as not, it is the solution that was found first */
+    for (int j = 0; j < p->n; j++) /* the first solution is often optimal */
         mpq_set(k->x[j], q->point[p->var[j]]);
     FMB_THEN(st, fmb_oracle_point(o, k->x));
     if (st == FMB_OK && q->claims)
@@ -104,7 +104,7 @@ fmb_status fmb_component_optimum_by_oracle(fmb_query *q, const fmb_goal *g, int 
 
 /* ---- by elimination -------------------------------------------------------------------------- */
 
-/* z <= value is that row of the store, divided by its coefficient. */
+/* Take z <= value from that row of the store, divided by its coefficient. */
 static fmb_status take_optimum_from_row(fmb_query *q, const fmb_elim *e, uint32_t row,
                                         fmb_component_optimum *k)
 {
@@ -120,7 +120,7 @@ static fmb_status take_optimum_from_row(fmb_query *q, const fmb_elim *e, uint32_
     return st;
 }
 
-/* All is gone but z, and that is the row which bounds it; FMB_NO_ROW: none does. */
+/* Only z remains, and `row` bounds it; FMB_NO_ROW: no row does. */
 static fmb_status read_optimum_of_store(fmb_query *q, const fmb_elim *e, uint32_t row,
                                         fmb_component_optimum *k)
 {
@@ -137,7 +137,7 @@ static fmb_status read_optimum_of_store(fmb_query *q, const fmb_elim *e, uint32_
     return fmb_elim_point(e, k->attained ? FMB_POINT_INSIDE : FMB_POINT_CLOSURE, k->x);
 }
 
-/* An end of z by the rows there are. */
+/* Bound z by propagation of ends over the rows of e. */
 static fmb_status find_outer_optimum(fmb_query *q, const fmb_part *p, fmb_elim *e,
                                      fmb_component_optimum *k)
 {
@@ -156,8 +156,7 @@ static fmb_status find_outer_optimum(fmb_query *q, const fmb_part *p, fmb_elim *
     return st == FMB_LIMIT ? FMB_OK : st;
 }
 
-/* Rows of an elimination that a limit has cut short: of more than these the derivations are long.
- */
+/* The most rows of an interrupted elimination that are used: with more, derivations are long. */
 #define MOST_ROWS_AT_LIMIT ((size_t)1 << 15)
 
 static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_elim *e,
@@ -175,7 +174,7 @@ static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_el
     return saved != FMB_OK ? saved : st;
 }
 
-/* Of the part with the goal as a column z more, or its first status. */
+/* Find the optimum in a store of the part with the additional objective column z. */
 static fmb_status find_in_store(fmb_query *q, const fmb_goal *g, int part, fmb_component_optimum *k,
                                 fmb_status find(fmb_query *, const fmb_part *, fmb_elim *,
                                                 fmb_component_optimum *))

@@ -75,7 +75,7 @@ static void fill_from_doubles(fmb_goal *g, const fmb_objective *o)
     mpq_set_d(g->constant, o->constant);
 }
 
-/* to += from, which need not be in lowest terms. */
+/* to += from, where from need not be in lowest terms. */
 static void add_any_rational(mpq_t to, mpq_srcptr from)
 {
     mpq_t t;

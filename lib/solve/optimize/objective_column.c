@@ -10,7 +10,7 @@ static fmb_status open_row_with_objective(fmb_vec *v, size_t entries, fmb_arena 
     return v->s ? FMB_OK : fmb_mem_status(arena->mem);
 }
 
-/* from[n + 1], in lowest terms, as to[n + 2], with a zero before the right side. */
+/* Copy from[n + 1], in lowest terms, to to[n + 2], with a zero before the right side. */
 static fmb_status copy_row_with_objective(fmb_vec *to, const fmb_vec *from, size_t n, fmb_num *k)
 {
     if (!fmb_vec_is_wide(from)) {
@@ -67,7 +67,7 @@ static fmb_status allocate_part_with_objective(fmb_part *p, int n, size_t m, fmb
     return FMB_OK;
 }
 
-/* At a limit no more polls: what was asked for then is to be had at little cost. */
+/* After a limit it does not poll, as only cheap work is requested then. */
 static fmb_status fill_rows_with_objective(fmb_part *p, fmb_query *q, const fmb_part *from,
                                            const fmb_goal *g, fmb_num *k)
 {

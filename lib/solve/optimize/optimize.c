@@ -1,11 +1,10 @@
 /* optimize.c: the best value of a linear form.
  *
- * Rows of different parts say nothing of one another, so the form is as large as it gets when it is
- * so over each part, and its largest value is the sum. It is reached if that of every part is; a
- * point is put together from points. One part, or one variable that no row names, along which it
- * grows for ever will do for all. At a limit, the ends of variables (limit/outer_ends.h) may still
- * bound what is left; and the best solution so far is put together from what was reached over each
- * part.
+ * Rows of different parts share no variable, so the maximum of the form is the sum of its maxima
+ * over the parts. It is attained if all of them are; the optimal point is composed of theirs. If
+ * the form is unbounded over one part, or along a variable that no row names, it is unbounded. At a
+ * limit, ends of variables (limit/outer_ends.h) may still bound the remaining parts; and the best
+ * solution so far is composed of the best ones over each part.
  */
 #include "num/rationals.h"
 #include "solve/limit/outer.h"
@@ -13,13 +12,13 @@
 #include "solve/optimize/optimum.h"
 #include "system/system_private.h"
 
-/* The question on its way through its parts. */
+/* The state of a query that proceeds from part to part. */
 typedef struct ascent {
     fmb_query *q;
     const fmb_goal *g;
     fmb_optimum *o;
-    fmb_component_optimum optimum_of_part; /* of the part at hand */
-    fmb_claim *claim; /* that the parts so far have put their multipliers into; NULL: none */
+    fmb_component_optimum optimum_of_part; /* of the current part */
+    fmb_claim *claim; /* with the multipliers of the parts done so far; NULL: none */
     mpq_t *best;      /* [dim] the best solution so far: where a limit ends the climb, the answer */
     bool improved;    /* it is another one than the decision has found */
     mpq_t sum;        /* of their values: of the goal, without the constant */
@@ -44,7 +43,7 @@ static void drop_optimum_claim(ascent *a)
     a->claim = NULL;
 }
 
-/* The form as the caller has it, or (as_goal) as what is made large. */
+/* Put the terms of the form into the claim, as the caller gave it or (as_goal) as maximized. */
 static fmb_status put_terms_of_form(ascent *a, fmb_claim *claim, bool as_goal)
 {
     fmb_status st = FMB_OK;
@@ -60,8 +59,8 @@ static fmb_status put_terms_of_form(ascent *a, fmb_claim *claim, bool as_goal)
     return st;
 }
 
-/* BOUND with the point where it is reached; of an outer end, IMPLIED: goal <= sum. What fails has
- * filled half of the claim. */
+/* Claim BOUND, with the point where the bound is attained; for an outer end, claim IMPLIED:
+ * goal <= sum. After an error the claim is incomplete. */
 static fmb_status close_optimum_claim(ascent *a)
 {
     fmb_claim *claim = a->claim;
@@ -95,14 +94,14 @@ static fmb_status claim_endless(ascent *a)
 
 /* ---- answers --------------------------------------------------------------------------------- */
 
-/* The solution that the decision has found. */
+/* Restore the solution that the feasibility decision found. */
 static void return_to_solution(ascent *a)
 {
     for (size_t j = 0; j < a->g->dim; j++)
         mpq_set(a->o->point[j], a->q->point[j]);
 }
 
-/* The ray is in the optimum. */
+/* Answer that the form is unbounded; the ray is in the optimum already. */
 static fmb_status answer_endless(ascent *a)
 {
     drop_optimum_claim(a);
@@ -113,7 +112,7 @@ static fmb_status answer_endless(ascent *a)
     return st;
 }
 
-/* All parts have said how far they go. */
+/* Answer with the sum: the optima of all parts are known. */
 static fmb_status answer_sum(ascent *a)
 {
     fmb_exact_side *best = &a->o->best;
@@ -146,7 +145,7 @@ static bool is_better_over_part(const ascent *a, const fmb_part *p, mpq_t *x)
     return better;
 }
 
-/* x is a part of some solution. */
+/* Note x, the part's coordinates of some solution. */
 static void note_solution_of_part(ascent *a, const fmb_part *p, mpq_t *x)
 {
     if (!is_better_over_part(a, p, x))
@@ -165,8 +164,8 @@ static fmb_status claim_best_solution(ascent *a)
     return fmb_query_finish_claim(a->q, st);
 }
 
-/* It takes the place of the solution that the decision has found, and has a claim of its own; or,
- * for want of memory for that, it does not. */
+/* Replace the solution of the decision by the best solution, with a claim of its own; without
+ * memory for the claim, keep the former. */
 static void answer_best_solution(ascent *a)
 {
     return_to_solution(a);
@@ -178,7 +177,7 @@ static void answer_best_solution(ascent *a)
 
 /* ---- part by part ---------------------------------------------------------------------------- */
 
-/* A variable that no row names and the form does, or -1. */
+/* A variable that the form names and no row does, or -1. */
 static int find_endless_variable(const ascent *a)
 {
     int j = fmb_system_dim(a->q->s) - 1;
@@ -193,7 +192,7 @@ static fmb_status answer_endless_variable(ascent *a, int j)
     return answer_endless(a);
 }
 
-/* The optimum of the part is finite, or an outer end. */
+/* Add a part's optimum to the sum; it is finite, or an outer end. */
 static fmb_status add_component(ascent *a, const fmb_part *p)
 {
     const fmb_component_optimum *k = &a->optimum_of_part;
@@ -220,7 +219,7 @@ static bool is_part_asked(const ascent *a, int c)
     return fmb_goal_names(a->g, p->var, p->n);
 }
 
-/* The decision finds solutions where the form is large already. */
+/* Announce the objective to all oracles, so that the decision finds good solutions already. */
 static fmb_status lean_all_parts(ascent *a)
 {
     for (int c = 0; !fmb_query_eliminates(a->q) && c < a->q->parts.count; c++)
@@ -229,7 +228,8 @@ static fmb_status lean_all_parts(ascent *a)
     return FMB_OK;
 }
 
-/* From part *c on, which is the one at hand when a limit is reached. *ends: the form does. */
+/* Optimize over the parts from *c on; at a limit *c is the unfinished one. *ends: the form is
+ * bounded. */
 static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
 {
     bool eliminates = fmb_query_eliminates(a->q);
@@ -259,7 +259,7 @@ static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
     return st;
 }
 
-/* The decision, then the parts; *c as above. */
+/* Decide feasibility, then optimize over the parts; *c as above. */
 static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
 {
     bool ends = true;
@@ -280,7 +280,7 @@ static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
 
 /* ---- at a limit ------------------------------------------------------------------------------ */
 
-/* What is left, from part c on, by the ends of variables; *bounded: all of it. */
+/* Bound the remaining parts, from c on, by ends of variables; *bounded: all have a bound. */
 static fmb_status bound_parts_left(ascent *a, int c, bool *bounded, fmb_verdict *verdict)
 {
     fmb_status st = FMB_OK;
@@ -292,7 +292,7 @@ static fmb_status bound_parts_left(ascent *a, int c, bool *bounded, fmb_verdict 
         if (st == FMB_OK && a->optimum_of_part.clash) {
             *verdict = FMB_INFEASIBLE;
             a->q->run.stop = FMB_STOP_DONE;
-            a->claim = NULL; /* it went with all others */
+            a->claim = NULL; /* it was discarded with all others */
             return FMB_OK;
         }
         *bounded = a->optimum_of_part.kind == FMB_END_OUTER;
@@ -302,7 +302,7 @@ static fmb_status bound_parts_left(ascent *a, int c, bool *bounded, fmb_verdict 
     return st;
 }
 
-/* An outer end, where that is to be had; there is a limit on memory, too. */
+/* Answer with an outer end, if one is found; there may be a limit on memory, too. */
 static fmb_status settle_for_outer_end(ascent *a, int c, fmb_verdict *verdict)
 {
     bool bounded = false;

@@ -1,4 +1,4 @@
-/* portfolio.c: the projection of one part, and which way leads to it; see portfolio.h. */
+/* portfolio.c: the projection of one part, by one of several engines; see portfolio.h. */
 #include "solve/portfolio/portfolio.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 #include "solve/prepare/reduced_part.h"
 #include "solve/query/rule_lp.h"
 
-/* What one variable may make, as a share of the rows. */
+/* The most additional rows that one variable may make, as a share of all rows. */
 #define MOST_GROWTH 0.25
 
 /* ---- which way ------------------------------------------------------------------------------- */
@@ -36,7 +36,7 @@ static bool uses_lp_rule(const fmb_solver *v)
     return false;
 }
 
-/* A part, and what has been found out about it. */
+/* A part, and the state of its projection. */
 typedef struct part_run {
     fmb_query *q;
     int part;
@@ -48,10 +48,10 @@ typedef struct part_run {
     fmb_queries *queries;
     fmb_part_elimination e; /* the elimination that takes turns */
     fmb_slices slices;
-    bool races;    /* queries may go on beside other engines */
-    bool ready;    /* an engine knows the answer, which is not put out */
-    size_t engine; /* that went on last, */
-    bool begun;    /* if it could be opened */
+    bool races;    /* queries may run in parallel with other engines */
+    bool ready;    /* an engine knows the answer, which is not yet appended */
+    size_t engine; /* the one that ran last */
+    bool begun;    /* that engine could be opened */
     bool known, *feasible, done;
 } part_run;
 
@@ -86,11 +86,11 @@ static fmb_status try_elimination(part_run *r, bool known)
     return st;
 }
 
-/* A search for a recession direction may take a share of what the best engine is expected to take:
- * one of so many. */
+/* A search for a recession direction may take this fraction, 1 / SHARE_FOR_RECESSION, of the work
+ * expected of the best engine. */
 #define SHARE_FOR_RECESSION 16
 
-/* Nothing that names variables that go may be left of the projection. */
+/* Try to drop all rows that name variables to eliminate, by a recession direction. */
 static fmb_status try_recession(part_run *r, const fmb_choice *c)
 {
     double best = INFINITY;
@@ -107,7 +107,7 @@ static fmb_status try_recession(part_run *r, const fmb_choice *c)
     return st;
 }
 
-/* A trial ended, with a status; if it left too many rows, it used up its budget. */
+/* A trial elimination ended with st; if it left too many rows, it counts as over budget. */
 static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
 {
     if (st != FMB_OK || e->clash != FMB_NO_ROW || fmb_selection_keeps_rows(e, e->flat, kept))
@@ -116,8 +116,8 @@ static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
     return FMB_LIMIT;
 }
 
-/* Go on where the cheap variables are gone, and come back if a variable makes too many rows, if
- * there are too many rows, or after so much work; 0: any. */
+/* Continue the elimination of the reduced part; restore it if a variable makes too many rows, if
+ * too many rows are left, or if the work exceeds budget (0: no bound). */
 static fmb_status try_bounded_elimination(part_run *r, uint64_t budget)
 {
     fmb_part_elimination h = elimination_of_run(r);
@@ -189,7 +189,7 @@ static fmb_status put_queries(part_run *r, fmb_status st)
     return st;
 }
 
-/* Of all that the part is made of, with the rule that asks the oracle. */
+/* Open an elimination of the whole part, with the rule "lp". */
 static fmb_status open_elimination(part_run *r)
 {
     fmb_status st = r->known ? FMB_OK : open_queries(r);
@@ -215,9 +215,9 @@ static fmb_status put_elimination(part_run *r, fmb_status st)
 
 static const struct engine {
     const char *name;
-    fmb_status (*open)(part_run *); /* unless it is */
+    fmb_status (*open)(part_run *); /* unless it is open */
     fmb_status (*go_on)(part_run *);
-    fmb_status (*put)(part_run *, fmb_status); /* what is known; after LIMIT, so far */
+    fmb_status (*put)(part_run *, fmb_status); /* append the rows; after LIMIT those proved */
     int way;                                   /* its switch; FMB_WAY_COUNT: none */
 } ENGINE[] = {
     [FMB_ENGINE_RAYS] = {"double description", open_rays, go_on_with_rays, put_rays, FMB_WAY_RAYS},
@@ -249,7 +249,7 @@ static fmb_run *run_of_engine(part_run *r, size_t k)
     return share ? &share->run : &r->q->run;
 }
 
-/* Go on with an engine for a while, 0: to its end. */
+/* Continue engine k for that slice of work, 0: to its end. */
 static fmb_status run_engine(part_run *r, size_t k, uint64_t slice)
 {
     uint64_t before = r->q->run.work;
@@ -269,7 +269,7 @@ static fmb_status run_engine(part_run *r, size_t k, uint64_t slice)
     return st;
 }
 
-/* The engine that went on last knows the answer, or has come to a limit. */
+/* Append the rows of the engine that ran last, which is ready or has reached a limit. */
 static fmb_status put_out(part_run *r, fmb_status st)
 {
     fmb_run *run = run_of_engine(r, r->engine);
@@ -294,7 +294,7 @@ static fmb_status go_on_with_queries_alone(void *run, bool *ready)
     return fmb_queries_run(r->queries, ready);
 }
 
-/* Is there an engine beside queries? */
+/* Is there an engine other than queries? */
 static bool has_others(const part_run *r)
 {
     bool any = false;
@@ -303,7 +303,7 @@ static bool has_others(const part_run *r)
     return any;
 }
 
-/* The others in turns. */
+/* Run the other engines in turns. */
 static fmb_status go_on_with_others(void *run, bool *ready)
 {
     part_run *r = run;
@@ -319,7 +319,7 @@ static fmb_status go_on_with_others(void *run, bool *ready)
     return st;
 }
 
-/* Queries, by another thread, and the other engines. */
+/* Race queries, in another thread, against the other engines. */
 static fmb_status race_queries(part_run *r)
 {
     fmb_status opened = open_queries(r);
@@ -341,7 +341,7 @@ static fmb_status race_queries(part_run *r)
         r->engine = FMB_ENGINE_QUERIES;
         r->begun = true;
         r->ready = race.lane[1].ready;
-        run->stop = share->run.stop; /* what ended the others is no limit of the answer */
+        run->stop = share->run.stop; /* the limit of the losing engines does not count */
     } else {
         tell_slice(r, FMB_ENGINE_QUERIES, 0, FMB_OK);
     }
@@ -366,7 +366,7 @@ static fmb_status take_first_steps(part_run *r, const fmb_choice *c)
     return st;
 }
 
-/* Is it one of the ways that a study may do without? */
+/* Can a study switch this engine off? */
 static bool has_switch(size_t engine)
 {
     return ENGINE[engine].way != FMB_WAY_COUNT;
@@ -384,7 +384,7 @@ static void expect_work(part_run *r, const fmb_choice *c)
                !r->slices.engine[FMB_ENGINE_QUERIES].over;
 }
 
-/* As long as the first engine is expected to end soonest, it has all threads. */
+/* Shall the race begin? While the first engine is expected to end soonest, it has all threads. */
 static bool is_race_on(size_t last, size_t next)
 {
     return last != FMB_ENGINES && (last == FMB_ENGINE_QUERIES) != (next == FMB_ENGINE_QUERIES);
@@ -414,8 +414,8 @@ static bool has_long_numbers(const fmb_part *p)
     return false;
 }
 
-/* What has no solution the oracle says sooner than any way finds out; and most ways ask it that in
- * any case. */
+/* The oracle shows infeasibility sooner than any engine does, and most engines need its answer
+ * anyway. */
 static fmb_status find_whether_feasible(part_run *r)
 {
     fmb_status st = is_part_feasible(r->q, r->part, r->feasible);
@@ -429,7 +429,7 @@ static fmb_status run_portfolio(part_run *r)
     fmb_status st = fmb_query_write_rows(r->q, r->part);
     if (st == FMB_OK && !by_rays && !r->known && has_long_numbers(&r->q->parts.part[r->part]))
         st = find_whether_feasible(r);
-    r->reduced.e.run = &r->q->run; /* closed in any case */
+    r->reduced.e.run = &r->q->run; /* closed even after an error */
     if (is_open(st, r))
         st = fmb_reduced_part_open(&r->reduced, r->q, r->part, r->place, r->feasible);
     if (is_open(st, r))

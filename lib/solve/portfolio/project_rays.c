@@ -1,8 +1,8 @@
 /* project_rays.c: the projection of a part by double description; see project_rays.h.
  *
- * The cone over what cheap elimination left (reduced_part.h) is turned into rays (dd/cone.h), which
- * are projected by leaving out coordinates, and turned back into rows (hull/image/image.h). Each of
- * those is a combination of the rows that are tight on all of its preimage: a small linear program
+ * The rays of the homogenized cone of the reduced part (reduced_part.h) are computed (dd/cone.h),
+ * projected by leaving out coordinates, and converted back into rows (hull/image/image.h). Each
+ * facet is a combination of the rows that are tight on all of its preimage: a small linear program
  * finds the multipliers.
  */
 #include "solve/portfolio/project_rays.h"
@@ -18,22 +18,22 @@
 #include "solve/prepare/irredundant_rows.h"
 #include "system/system_private.h"
 
-/* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
+/* A projection in progress. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
 struct fmb_ray_projection {
     fmb_reduced_part *of;
     fmb_system *out;
     size_t d, *column;   /* [d - 1] columns of the part that live rows name; then comes t */
-    size_t keeps, *keep; /* [d] coordinates of the cone that stay; t last; then the others */
+    size_t keeps, *keep; /* [d] kept coordinates of the cone, t last; then the others */
     fmb_cone_rows rows;
     fmb_cone cone;
     fmb_image image;
-    fmb_dual dual;       /* its facets in the making, as rays of the dual cone, */
-    fmb_image_hull hull; /* or ray by ray */
+    fmb_dual dual;       /* computes facets of the image as rays of the dual cone, */
+    fmb_image_hull hull; /* or by inserting rays one by one */
     fmb_vec facet;       /* scratch: a row of the part */
     fmb_lp_row *row;     /* for proofs: live rows, behind them the facet; NULL: not yet */
-    fmb_combination sum; /* of these */
-    bool lifted;         /* the cone is there, */
-    bool pictured;       /* and its image */
+    fmb_combination sum; /* of these rows */
+    bool lifted;         /* the cone was made */
+    bool pictured;       /* its image was made */
     bool over;           /* too many faces are excluded */
 };
 
@@ -72,7 +72,7 @@ static fmb_status list_coordinates(fmb_ray_projection *h)
     return FMB_OK;
 }
 
-/* a.x <= b as b t - a.x >= 0. */
+/* Write a.x <= b as b t - a.x >= 0. */
 static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
 {
     const fmb_ray_projection *h = of;
@@ -107,8 +107,8 @@ static fmb_status open_cone_of_part(fmb_ray_projection *h)
 
 /* ---- proofs ---------------------------------------------------------------------------------- */
 
-/* The rows of the part that are tight on all of the facet's preimage, by their places among live
- * ones: those of bits that are not in its slack, and equalities. */
+/* List the rows that are tight on all of the facet's preimage, by their places among live rows:
+ * those whose bits are not in its slack, and equalities. */
 static size_t list_tight_rows(const fmb_ray_projection *h, const fmb_image_row *f, size_t *place)
 {
     size_t n = 0;
@@ -121,7 +121,7 @@ static size_t list_tight_rows(const fmb_ray_projection *h, const fmb_image_row *
     return n;
 }
 
-/* The facet, or its reverse, is a combination of the rows of the oracle: which? */
+/* Find multipliers of the oracle's rows that combine to the facet, or to its reverse. */
 static fmb_status maximize_facet(fmb_ray_projection *h, fmb_oracle *o, int sign, fmb_weights *w)
 {
     fmb_weights form = {0};
@@ -166,7 +166,7 @@ static fmb_status combine_dependent_rows(fmb_ray_projection *h, const fmb_image_
     return st;
 }
 
-/* Where tight rows do not depend on one another, only one combination of them is the facet. */
+/* If the tight rows are linearly independent, exactly one combination of them is the facet. */
 static fmb_status combine_independent_rows(fmb_ray_projection *h, const fmb_image_row *f,
                                            const size_t *place, size_t size, fmb_weights *w,
                                            bool *found)
@@ -241,7 +241,7 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* The facet as a row over the part's columns; z[n + 1] comes in 0, and leaves so. */
+/* Write the facet as a row over the part's columns; z[n + 1] is zero before and after. */
 static fmb_status write_facet_row(fmb_ray_projection *h, const fmb_image_row *f, mpz_t *z)
 {
     size_t n = (size_t)h->of->p->n;
@@ -304,7 +304,7 @@ static fmb_status exclude_faces(fmb_ray_projection *h, bool *feasible, bool *don
     return st;
 }
 
-/* *done false: a slice is over. */
+/* *done false: the slice is used up. */
 static fmb_status find_facets_of_image(fmb_ray_projection *h, bool slacks, bool *done)
 {
     if (fmb_image_has_few_coordinates(&h->image)) {

@@ -13,15 +13,15 @@ struct fmb_queries {
     const fmb_part *p;
     int part;
     const int *place;
-    int *column; /* [n], k of them: of the part, those that are kept */
+    int *column; /* [n], k in use: the kept columns of the part */
     size_t k;
     fmb_run *run; /* the query's, or that of the share */
     fmb_share share;
     fmb_oracle *oracle; /* of the share */
     fmb_support s;
     mpz_t *z;    /* [n + 1] scratch: a row of the part */
-    fmb_vec row; /* the same */
-    bool begun;  /* there is an s */
+    fmb_vec row; /* scratch: a row of the part */
+    bool begun;  /* s is initialized */
 };
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -61,7 +61,7 @@ static int compare_support_rows(const void *a, const void *b)
     return sign;
 }
 
-/* In an order that does not depend on when they were found. */
+/* Append all rows, in an order that does not depend on when they were found. */
 static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
 {
     size_t n = (size_t)h->p->n + 1;
@@ -81,7 +81,7 @@ static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
 
 /* ---- inner points ---------------------------------------------------------------------------- */
 
-/* x[n]: a point; a direction, which has no place, as seen from the first point. */
+/* Write a point as x[n]; a direction as the first point plus that direction. */
 static void write_inner_point(const fmb_queries *h, const fmb_integers *point, mpq_t *x)
 {
     const fmb_integers *first = &h->s.point[0];
@@ -98,7 +98,7 @@ static void write_inner_point(const fmb_queries *h, const fmb_integers *point, m
     }
 }
 
-/* A claim that there is a solution there. */
+/* Claim that there is a solution at that point. */
 static fmb_status claim_inner_point(fmb_queries *h, const fmb_integers *point)
 {
     fmb_query *q = h->q;
@@ -114,13 +114,13 @@ static fmb_status claim_inner_point(fmb_queries *h, const fmb_integers *point)
     return fmb_query_finish_claim(q, st);
 }
 
-/* Points of the closure need not be solutions where rows are strict. */
+/* With strict rows, points of the closure need not be solutions. */
 static bool has_inner_points(const fmb_queries *h)
 {
     return h->s.points > 0 && !h->s.strict;
 }
 
-/* Without memory for more, it is those so far. */
+/* Claim all points; where memory runs out, only some of them. */
 static fmb_status claim_inner_points(fmb_queries *h)
 {
     fmb_status st = FMB_OK;
@@ -141,7 +141,7 @@ static fmb_status list_kept_columns(fmb_queries *h)
     return FMB_OK;
 }
 
-/* Those that were given. */
+/* Use the symmetries that the caller gave. */
 static fmb_status use_symmetries(fmb_queries *h)
 {
     fmb_query *q = h->q;
@@ -155,13 +155,13 @@ static fmb_status use_symmetries(fmb_queries *h)
     return st;
 }
 
-/* Of each coordinate that is kept, so many rows that are no facets, where there is a limit: after
- * those the hull is near enough, and facets count. */
+/* Under a limit, the number of rows kept per coordinate that are no facets: after those the hull is
+ * a good approximation, and only facets are kept. */
 #define OUTER_ROWS 16
-/* Most projections are done before that. */
+/* Most projections take fewer queries. */
 #define FEW_QUERIES 64
 
-/* The share has no limit of memory of its own: what it holds counts for the query as well. */
+/* The share has no memory limit of its own: its memory counts as that of the query. */
 static fmb_status open_share(fmb_queries *h, fmb_oracle **o)
 {
     fmb_query *q = h->q;
@@ -181,7 +181,7 @@ static void close_share(fmb_queries *h)
         return;
     fmb_oracle_free(h->oracle);
     fmb_mem_leave(&h->share.mem);
-    h->share.run.stop = h->q->run.stop; /* what stopped it has been told */
+    h->share.run.stop = h->q->run.stop; /* its own stop was reported before */
     fmb_share_end(&h->share, &h->q->run, &peak);
 }
 
@@ -230,13 +230,12 @@ void fmb_queries_close(fmb_queries *h)
     fmb_mem_put(mem, h, 1, sizeof *h);
 }
 
-/* Put out what is proved so far, and points as claims: so much of the projection is known from
- * within. */
+/* Append the rows proved so far, and claim the points found: an inner approximation. */
 static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
 {
     if (!h->begun)
         return FMB_OK;
-    fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
+    fmb_facets_clear(&h->s.hull); /* makes room for the rows */
     fmb_status st = fmb_support_keep_images(&h->s);
     FMB_THEN(st, fmb_support_keep_outer_rows(&h->s));
     if (st == FMB_OK || st == FMB_LIMIT)
@@ -247,7 +246,7 @@ static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
 
 /* ---- corners --------------------------------------------------------------------------------- */
 
-/* *x is what *from was, in memory of the query. */
+/* Move *from to *x, in memory of the query. */
 static fmb_status take_over_integers(fmb_queries *h, fmb_integers *from, fmb_integers *x)
 {
     FMB_TRY(fmb_integers_init(x, from->size, h->q->run.mem));
@@ -256,7 +255,7 @@ static fmb_status take_over_integers(fmb_queries *h, fmb_integers *from, fmb_int
     return fmb_integers_settle(x, h->q->run.mem);
 }
 
-/* h->s.g, whose last entry is t, with what is above it, or NULL. */
+/* Hand over h->s.g, whose last entry is t, with its preimage `above`, or NULL. */
 static fmb_status hand_over_point(fmb_queries *h, fmb_integers *above, fmb_vec *y)
 {
     fmb_integers x = {0};
@@ -268,7 +267,8 @@ static fmb_status hand_over_point(fmb_queries *h, fmb_integers *above, fmb_vec *
     return st == FMB_OK ? fmb_met_points_add(&h->q->met, y, above ? &x : NULL, &h->s.hull.num) : st;
 }
 
-/* All points that were found; and, where some of them have images, all generators of the hull. */
+/* Hand over all points found; if some of them have images by symmetries, all generators of the
+ * hull. */
 static fmb_status hand_over_all_points(fmb_queries *h, fmb_vec *y)
 {
     const fmb_facets *hull = &h->s.hull;
@@ -288,7 +288,7 @@ static fmb_status hand_over_all_points(fmb_queries *h, fmb_vec *y)
     return st;
 }
 
-/* The hull is that of the projection. Where there is no memory for its points, they stay behind. */
+/* The hull is the projection: hand its points over, unless there is no memory for them. */
 static fmb_status hand_over_hull(fmb_queries *h)
 {
     fmb_query *q = h->q;
@@ -322,11 +322,11 @@ fmb_status fmb_queries_put(fmb_queries *h, fmb_system *out, fmb_status st)
 
 /* ---- behind a limit -------------------------------------------------------------------------- */
 
-/* Pairs of facets where no clock ends them: so many go with dozens of queries. The last query
- * may take as many again, but not all that the images of one point by symmetries could. */
+/* Pairs of facets without a clock: dozens of queries take so many. The last query may take as many
+ * again, but not all that the images of one point under symmetries could. */
 #define PAIRS_AT_LIMIT ((uint64_t)1 << 12)
 
-/* Ask on, and put out what is proved. The query has gone on. */
+/* Continue querying, then keep what is proved. The query's limit was lifted before. */
 static fmb_status ask_on_and_keep(fmb_queries *h, fmb_system *out)
 {
     bool done;
@@ -337,7 +337,7 @@ static fmb_status ask_on_and_keep(fmb_queries *h, fmb_system *out)
     return st == FMB_OK || st == FMB_LIMIT ? keep_what_is_proved(h, out) : st;
 }
 
-/* May anything follow? Then *why is what the query ended for, and will have ended for again. */
+/* May the query continue after its limit? Then *why is its stop, to be restored afterwards. */
 static bool go_on_behind_limit(fmb_query *q, fmb_stop *why)
 {
     *why = q->run.stop;

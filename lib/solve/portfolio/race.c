@@ -1,8 +1,8 @@
 /* race.c: see race.h.
  *
  * Let lane 0 be ready, or end, after work w0, and lane 1 be ready after w1. Lane 1 wins if w1 < w0.
- * Each of them stops only where it has lost: lane 1 at w0, lane 0 beyond w1. So what the winner
- * needs it is always let do, and whether there is one does not depend on which thread was faster.
+ * A lane is stopped only once it has lost: lane 1 at w0, lane 0 beyond w1. So the winner is never
+ * stopped, and which lane wins, if any, does not depend on which thread was faster.
  */
 #include "solve/portfolio/race.h"
 
@@ -32,7 +32,7 @@ static void begin_lane(fmb_race_lane *a)
     a->run->overtaken = &a->beyond;
 }
 
-/* Each lane may take half of the memory that is left. */
+/* Each lane may take half of the remaining memory. */
 static void divide_memory(fmb_mem *mem, fmb_mem *share)
 {
     size_t left = mem->limit > mem->used ? (mem->limit - mem->used) / 2 : 0;

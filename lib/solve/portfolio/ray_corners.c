@@ -1,21 +1,21 @@
 /* ray_corners.c: see ray_corners.h. A proof that no row is missing begins with corners; here each
- * is there with a ray of the cone above it, and variables that were eliminated are found again.
+ * comes with a ray of the cone that projects to it, and eliminated variables are reconstructed.
  */
 #include "solve/portfolio/ray_corners.h"
 
 #include "elim/round/witness.h"
 #include "num/rationals.h"
 
-/* For points and directions that are handed over. */
+/* Scratch for the points and directions that are handed over. */
 typedef struct corner_room {
     size_t kept; /* columns of the part, whether rows name them or not */
     mpz_t *z;    /* [kept + 1] */
     mpq_t *x;    /* [n] */
     fmb_vec y;   /* [kept + 1] */
-    fmb_num num; /* of that many entries */
+    fmb_num num; /* of kept + 1 entries */
 } corner_room;
 
-/* x over one denominator, behind it; for directions that is 0. */
+/* Write x as integers with their common denominator last; for directions that entry is 0. */
 static fmb_status write_over_denominator(const fmb_ray_corners *h, mpq_t *x, bool point,
                                          fmb_integers *out)
 {
@@ -34,7 +34,7 @@ static fmb_status write_over_denominator(const fmb_ray_corners *h, mpq_t *x, boo
     return fmb_integers_settle(out, h->of->q->run.mem);
 }
 
-/* Nothing was eliminated: v, of the cone, as it is. */
+/* No variable was eliminated: copy v, a vector of the cone. */
 static fmb_status copy_solution(const fmb_ray_corners *h, const fmb_vec *v, fmb_integers *out)
 {
     size_t n = (size_t)h->of->p->n;
@@ -44,8 +44,8 @@ static fmb_status copy_solution(const fmb_ray_corners *h, const fmb_vec *v, fmb_
     return st == FMB_OK ? fmb_integers_settle(out, h->of->q->run.mem) : st;
 }
 
-/* v is a vector of the cone, or NULL and x tells what is kept: variables that were eliminated are
- * found again. */
+/* Find a preimage by reconstructing the eliminated variables. v is a vector of the cone; or NULL,
+ * and x holds the kept variables. */
 static fmb_status find_solution(const fmb_ray_corners *h, const fmb_vec *v, mpq_t *x,
                                 fmb_integers *out)
 {
@@ -69,7 +69,7 @@ static fmb_status find_solution(const fmb_ray_corners *h, const fmb_vec *v, mpq_
     return st == FMB_OK ? write_over_denominator(h, x, point, out) : st;
 }
 
-/* What is above v, a vector of the cone, with all kept variables and t; or, where v is NULL, the
+/* Hand over the projection of v, a vector of the cone, with its preimage; or, where v is NULL, the
  * direction of kept variable number `free`, if no row names it. */
 static fmb_status hand_over_vector(const fmb_ray_corners *h, const fmb_vec *v, size_t free,
                                    corner_room *r)

@@ -1,4 +1,4 @@
-/* selection.c: which way of a projection is tried, and for how long; see selection.h. */
+/* selection.c: which engines project a part, and with which budgets; see selection.h. */
 #include "solve/portfolio/selection.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@ const fmb_choice *fmb_selection_forced;
 
 /* ---- the table ------------------------------------------------------------------------------- */
 
-/* What trees tell, as logarithms to base 2 in parts of one: the work of the best engine, in units;
- * that of each engine over it; and time with bounded elimination first over time without. */
+/* The predictions, as base-2 logarithms in fixed point: the work of the best engine, in units; the
+ * ratio of each engine's work to it; and time with bounded elimination first over time without. */
 #define FORETOLD(T)                                                                                \
     T(BEST, "best")                                                                                \
     T(RAYS, "double description")                                                                  \
@@ -22,12 +22,13 @@ const fmb_choice *fmb_selection_forced;
 enum { FORETOLD(FORETOLD_IDENTIFIER) FORETOLD_COUNT };
 #undef FORETOLD_IDENTIFIER
 
-/* Features are rough logarithms, too, in so many parts of one; a weight is in so many of a part. */
+/* Units of fixed-point numbers: 1 / MARKS of marks, the rough logarithms of features; 1 / PARTS of
+ * predictions; 1 / FINE of weights. */
 enum { MARKS = 256, PARTS = 32, FINE = 128 };
 
-/* Trees add to what weights of marks tell. A tree asks whether marks are above thresholds. Its
- * answers, the first one as the highest bit, are the number of a leaf: a letter for each number
- * that is told, NEUTRAL if it adds nothing. */
+/* A prediction is a weighted sum of marks plus corrections by trees. A tree tests whether marks are
+ * above thresholds; the results, the first as the highest bit, number a leaf, which has a letter
+ * for each prediction: its correction, NEUTRAL for none. */
 enum { QUESTIONS = 6, LEAVES = 1 << QUESTIONS, NEUTRAL = 'm' };
 typedef struct tree {
     struct {
@@ -234,7 +235,7 @@ static double rough_logarithm(double x)
     return exponent - 2 + 2 * mantissa;
 }
 
-/* The inverse of that, but for the 1. */
+/* The inverse of rough_logarithm, without subtracting 1. */
 static double rough_power(double x)
 {
     double whole = floor(x);
@@ -249,8 +250,8 @@ static size_t find_leaf(const tree *t, const int *mark)
     return leaf;
 }
 
-/* The weighted sum of marks, rounded towards 0: linear, so that it holds beyond what the fit saw.
- */
+/* The weighted sum of marks, rounded towards 0: linear, so that it extrapolates beyond the data of
+ * the fit. */
 static int foretell_by_weights(const int *mark, int which)
 {
     int64_t sum = START[which];
@@ -273,20 +274,19 @@ static void foretell(const fmb_features *f, int *told)
     }
 }
 
-/* Entries of a row, and the bits of its numbers, tell what a step of any engine takes. */
+/* The entries of a row and the bits of its numbers determine what a step of any engine takes. */
 static double unit_of_work(const fmb_features *f)
 {
     return 16 * (double)f->entries * (double)(64 + f->minor_bits);
 }
 
-/* A bound, or a row that names few variables, holds up most directions. */
+/* A bound, or a row that names few variables, excludes most directions. */
 static bool tries_recession(const fmb_features *f)
 {
     return 4 * f->entries >= 3 * f->rows * f->columns && f->bounds == 0;
 }
 
-/* Bounded elimination that does not answer has cost no more than the best engine was expected to.
- */
+/* The budget of bounded elimination is the work expected of the best engine. */
 fmb_choice fmb_selection_of(const fmb_features *f)
 {
     int told[FORETOLD_COUNT];
@@ -308,11 +308,11 @@ fmb_choice fmb_selection_of(const fmb_features *f)
 
 /* ---- bounded elimination --------------------------------------------------------------------- */
 
-/* In so many dimensions a hull takes longer than to find out which of many rows are irredundant. */
+/* From so many dimensions on, a hull takes longer than finding the irredundant among many rows. */
 #define SHORT_QUERIES 4
 
-/* To find out which of many rows are irredundant takes as long as some queries, where few variables
- * are kept; of long numbers, so it does of fewer rows. */
+/* With few kept variables, finding the irredundant ones of many rows takes as long as some support
+ * queries; where numbers are long, already with fewer rows. */
 bool fmb_selection_keeps_rows(const fmb_elim *e, size_t before, int kept)
 {
     size_t most = fmb_elim_minor_bits(e) > FMB_LONG_MINOR ? before : before * (size_t)kept;

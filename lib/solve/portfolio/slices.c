@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-/* Shorter slices would mostly be spent on switching: about a tenth of a millisecond. */
+/* About a tenth of a millisecond: shorter slices would mostly be spent on switching. */
 #define LEAST_SLICE ((double)(1 << 16))
-/* Expectations are good to such a factor (docs/experiments.md). */
+/* Expectations are correct up to this factor (docs/experiments.md). */
 #define PATIENCE 4
 /* Slices of engines that take turns grow by this factor. */
 #define LONGER 1.5

@@ -27,7 +27,7 @@ fmb_status fmb_solver_set_symmetries(fmb_solver *v, const fmb_permutations *p)
     return FMB_OK;
 }
 
-/* Permutation g on variables and rows; ARG if it is no symmetry. */
+/* The images of variables and rows under permutation g; ARG if it is no symmetry. */
 static fmb_status move_all(fmb_solver *v, fmb_row_images *t, const int *place, size_t g,
                            uint32_t *moved)
 {
@@ -87,8 +87,8 @@ typedef struct part_images {
     const fmb_part *p;
     int part;
     bool *keeps;     /* [n] */
-    uint32_t *image; /* [n + m] of a symmetry, in columns and rows of the part */
-    uint32_t *row;   /* [rows] of the part, of each row of the system; UINT32_MAX: none */
+    uint32_t *image; /* [n + m] images under a symmetry, as columns and rows of the part */
+    uint32_t *row;   /* [rows] the part's row for each row of the system; UINT32_MAX: none */
 } part_images;
 
 static fmb_status hold_part_images(part_images *x, bool get)
@@ -112,7 +112,7 @@ static fmb_status open_part_images(part_images *x, const int *column, size_t k)
     return FMB_OK;
 }
 
-/* x->image of what moved[] says; false where it leads out of the part. */
+/* Set x->image from moved[]; false if the symmetry leads out of the part. */
 static bool is_moved_within_part(part_images *x, const uint32_t *moved)
 {
     const fmb_parts *parts = &x->q->parts;
@@ -131,8 +131,8 @@ static bool is_moved_within_part(part_images *x, const uint32_t *moved)
     return true;
 }
 
-/* Rows that are multiples of each other, or come twice, are not told apart: fmb_group_add leaves
- * such a symmetry out. */
+/* Parallel or equal rows cannot be distinguished; fmb_group_add rejects a symmetry that would need
+ * that. */
 fmb_status fmb_symmetries_of_part(fmb_query *q, int part, const int *column, size_t k,
                                   fmb_group *out)
 {
@@ -216,8 +216,8 @@ fmb_status fmb_symmetries_find(fmb_solver *v, const fmb_system *s, const int *ke
 
 /* ---- classes --------------------------------------------------------------------------------- */
 
-/* image[n] of permutation i on the kept variables; false if it takes one elsewhere. place[dim] of
- * p, -1: not kept. */
+/* Restrict permutation i to the kept variables, as image[n]; false if one has an image that is not
+ * kept. place[dim of p]: -1 if not kept. */
 static bool restrict_to_kept(const fmb_permutations *p, size_t i, const int *keep, int n,
                              const int *place, int *image)
 {

@@ -58,7 +58,7 @@ static void note_rows_left(const fmb_reduced_part *h, fmb_features *f)
         note_row(h, &e->row[e->live.row[i]], f);
 }
 
-/* An equality counts for both signs. */
+/* An equality counts as a row of either sign. */
 static void note_column(const fmb_reduced_part *h, size_t j, fmb_features *f)
 {
     size_t up = 0, down = 0;

@@ -1,8 +1,8 @@
-/* irredundant_rows.c: of the rows that an elimination left, those that are irredundant; see
+/* irredundant_rows.c: the irredundant ones among the live rows of an elimination; see
  * irredundant_rows.h.
  *
- * Most rows are settled by guesses that are proved at once (lp/redundancy/active_set/implied.h);
- * the oracle decides about the others, and finds the inequalities that always hold with equality.
+ * Most rows are decided by guesses that are proved at once (lp/redundancy/active_set/implied.h);
+ * the oracle decides the others, and finds the implicit equalities.
  */
 #include "solve/prepare/irredundant_rows.h"
 
@@ -10,22 +10,22 @@
 #include "lp/redundancy/irredundant.h"
 #include "solve/prepare/substituted_rows.h"
 
-/* The rows left. Row k of the oracle is row e->live[k] of the store. */
+/* The live rows and their fates. Row k of the oracle is row e->live[k] of the store. */
 typedef struct remains {
     fmb_query *q;
     const fmb_part *p;
-    const int *place; /* [dim] column in the projection, -1 for variables that go */
+    const int *place; /* [dim] column in the projection, -1 for eliminated variables */
     fmb_elim *e;
     fmb_system *out;
     fmb_lp_row *row;      /* [lives] */
     fmb_rel *rel;         /* [lives] */
     fmb_fate *fate;       /* [lives] */
-    fmb_weights *reverse; /* [lives] proofs that rows are equalities, over oracle rows */
+    fmb_weights *reverse; /* [lives] multipliers of oracle rows that prove rows equalities */
 } remains;
 
 /* ---- evidence -------------------------------------------------------------------------------- */
 
-/* Weights over oracle rows become weights over the part's rows. */
+/* Convert weights of oracle rows into weights of the part's rows. */
 static fmb_status derive_from_oracle_rows(const remains *h, fmb_weights *w)
 {
     for (size_t i = 0; i < w->size; i++)
@@ -47,8 +47,8 @@ static fmb_status add_scaled_weights(remains *h, fmb_weights *sum, const fmb_wei
     return st;
 }
 
-/* The oracle may have used a row that it knows to be an equality backwards: what proved that stands
- * in for it. */
+/* The oracle may have used the reverse of a row that it proved to be an equality: replace the
+ * reverse by the multipliers that prove it. */
 static fmb_status note_equality_proof(void *self, size_t i, const fmb_weights *w)
 {
     remains *h = self;
@@ -66,7 +66,7 @@ static fmb_status note_equality_proof(void *self, size_t i, const fmb_weights *w
     return st;
 }
 
-/* Oracle row k as a row of the projection. */
+/* Append oracle row k to the projection. */
 static fmb_status put_irredundant_row(remains *h, size_t k)
 {
     uint32_t r = h->e->live.row[k];
@@ -80,7 +80,7 @@ static fmb_status put_irredundant_row(remains *h, size_t k)
 
 /* ---- what is irredundant --------------------------------------------------------------------- */
 
-/* The rows left, as the oracle takes them. */
+/* List the live rows for the oracle. */
 static fmb_status list_rows_left(remains *h)
 {
     fmb_arena *arena = &h->q->v->arena;
@@ -100,7 +100,7 @@ static fmb_status list_rows_left(remains *h)
     return FMB_OK;
 }
 
-/* Drop the rows that are gone; note which are kept, and which as equalities. */
+/* Drop the redundant rows; note which are kept, and which of these as equalities. */
 static void apply_sorting(remains *h, const fmb_sorting *sorting, const bool *tight)
 {
     size_t left = 0;
@@ -116,9 +116,9 @@ static void apply_sorting(remains *h, const fmb_sorting *sorting, const bool *ti
     h->e->live.size = left;
 }
 
-/* What a guess finds is cheap, and mostly all. *inner: the projection has a point strictly inside
- * its rows. Where claims are wanted inequalities stay what they are here, as a
- * claim that one is an equality needs the oracle. */
+/* Decide rows by guesses, which are cheap and mostly decide all. *inner: the projection has a
+ * strictly interior point. Where claims are wanted, implicit equalities stay inequalities here, as
+ * their claim needs the oracle. */
 static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, bool *inner)
 {
     fmb_mem *mem = h->q->run.mem;
@@ -148,7 +148,7 @@ static bool are_all_fates_known(const remains *h)
     return true;
 }
 
-/* The oracle decides what is left to decide. */
+/* Let the oracle decide the undecided rows. */
 static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
 {
     size_t m = h->e->live.size;
@@ -160,7 +160,7 @@ static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
                            h->q->claims ? &told : NULL, feasible);
 }
 
-/* Put out what is irredundant. */
+/* Append the irredundant rows. */
 static fmb_status put_rows_that_stay(remains *h)
 {
     for (size_t k = 0; k < h->e->live.size; k++)

@@ -1,18 +1,18 @@
 /* recession.c: see recession.h.
  *
- * Let z be a direction among the variables that go, in which all rows that name one of these go
- * down: a.z < 0. Whatever values the other variables have, far enough along z all of those rows
- * hold, strictly: none of them is left in the projection. For one variable, that is one that has no
- * upper or no lower bound. A cone of m rows in k dimensions, drawn around 0 at random, has such a z
- * with a chance of 1/2 where m = 2k (Wendel 1962), and then eliminations, rays and queries may take
- * long to find out that there is nothing to find.
+ * Let z be a direction in the space of the eliminated variables with a.z < 0 for all rows a that
+ * name one of them. Whatever values the other variables have, far enough along z all these rows
+ * hold strictly, so none of them restricts the projection. For a single variable this means that it
+ * has no upper or no lower bound. A random cone of m rows in k dimensions has such a z with
+ * probability 1/2 where m = 2k (Wendel 1962); then eliminations, rays and queries may take long to
+ * find that the projection has no rows.
  *
- * The direction is a point strictly inside the rows with right sides 0
- * (lp/redundancy/active_set/leading_rows.h): a glance in doubles, or where that tells nothing and
- * the engines are expected to take long, a search; proved in integers. In small systems it may be
- * seen at once, in integers alone: first columns of one sign go, with all rows that name them, one
- * after another; then a perceptron (Rosenblatt 1958) looks for z, by going away from rows that do
- * not go down. If none is left, z is proved.
+ * z is a strictly interior point of the rows with right sides 0
+ * (lp/redundancy/active_set/leading_rows.h): found by a quick try in doubles or, where that fails
+ * and the engines are expected to take long, by a search; proved in integers. Small systems have a
+ * test in integers alone: columns of one sign are removed with all rows that name them, repeatedly;
+ * then a perceptron (Rosenblatt 1958) searches for z by subtracting from z each row that does not
+ * decrease along it. If all rows decrease, z is proved.
  */
 #include "solve/prepare/recession.h"
 
@@ -21,7 +21,7 @@
 #include "lp/redundancy/active_set/leading_rows.h"
 #include "system/system_private.h"
 
-/* The rows that name variables that go, in those. */
+/* The rows that name eliminated variables, restricted to these variables. */
 typedef struct cone {
     fmb_elim *e;
     fmb_leading_rows rows;
@@ -51,7 +51,7 @@ static void list_columns_of_cone(cone *c, const bool *drop)
     }
 }
 
-/* False: there are equalities, or no rows. */
+/* List the rows of the cone. False: it has equalities, or there are no columns. */
 static bool list_rows_of_cone(cone *c)
 {
     bool possible = c->rows.n > 0;
@@ -94,12 +94,11 @@ fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, double patienc
 
 #define SMALL_ROWS      64
 #define SMALL_VARIABLES 16
-/* Rows of entries so short [bits], and so many looks at each: sums of products stay within 62 bits.
- */
+/* With entries of at most so many bits and so many passes, sums of products stay within 62 bits. */
 #define SMALL_BITS  20
 #define SMALL_LOOKS 8
 
-/* Rows in the variables that go. */
+/* The rows, restricted to the eliminated variables. */
 typedef struct small_system {
     size_t n, m;
     int64_t a[SMALL_ROWS][SMALL_VARIABLES];
@@ -110,7 +109,7 @@ static bool is_row_small(const fmb_sysrow *r)
     return !fmb_vec_is_wide(&r->val) && r->val.bits <= SMALL_BITS && r->rel != FMB_EQ;
 }
 
-/* The row with entries for n variables, number[var] or -1. False: it names none of them. */
+/* Append the row, restricted to the variables with number[var] >= 0. False: it names none. */
 static bool put_row_in_small_system(small_system *g, const fmb_sysrow *r, const int8_t *number)
 {
     int64_t *a = g->a[g->m++];
@@ -125,7 +124,7 @@ static bool put_row_in_small_system(small_system *g, const fmb_sysrow *r, const 
     return any;
 }
 
-/* False: there is more to see than that, or a row that stays. */
+/* False: the system is too large for this test, or a row names kept variables only. */
 static bool put_in_small_system(small_system *g, const fmb_system *s, const int *place)
 {
     int8_t number[SMALL_ROWS];
@@ -144,7 +143,7 @@ static bool put_in_small_system(small_system *g, const fmb_system *s, const int 
     return good;
 }
 
-/* If variable j has one sign, its rows are gone. */
+/* If column j has entries of one sign only, remove the rows that name it. */
 static bool leave_rows_of_one_sign(small_system *g, size_t j)
 {
     bool sign[2] = {false, false};
@@ -161,7 +160,8 @@ static bool leave_rows_of_one_sign(small_system *g, size_t j)
     return true;
 }
 
-/* False: a row does not go down along z, which has gone away from all such rows. */
+/* One perceptron pass: every row that does not decrease along z is subtracted from z. True: all
+ * rows decrease along z. */
 static bool do_all_rows_go_down(const small_system *g, int64_t *z)
 {
     bool all = true;

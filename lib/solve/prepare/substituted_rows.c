@@ -1,12 +1,12 @@
 /* substituted_rows.c: see substituted_rows.h.
  *
- * While that goes on, rows are settled: an equality that was substituted is kept, what has become
- * constant or follows from one is gone; all others are open.
+ * During substitution a row is kept (a substituted equality), redundant (it became constant, or
+ * follows from one other row), or still open.
  *
- * An inequality plus a multiple of an equality, times a positive number, is satisfied by the same
- * solutions of the equality. So of the rows after substitution one is implied by others if and only
- * if that holds before, beside the equalities; and an equality that has become 0 = 0 follows from
- * those before it. */
+ * A positive multiple of an inequality plus any multiple of an equality has the same solutions as
+ * the inequality, among those of the equality. So a row is implied by others after substitution if
+ * and only if it is implied by them and the equalities before; and an equality that became 0 = 0
+ * follows from those substituted before it. */
 #include "solve/prepare/substituted_rows.h"
 
 #include <string.h>
@@ -16,12 +16,12 @@
 typedef struct substitution {
     size_t n, m;
     const fmb_lp_row *from;
-    fmb_vec *v;      /* [m] the rows, as far as equalities have been substituted */
-    fmb_lp_row *row; /* [rows] the inequalities that still name variables, */
-    size_t *number;  /* and which they are */
+    fmb_vec *v;      /* [m] the rows after the substitutions made so far */
+    fmb_lp_row *row; /* [rows] the inequalities that still name variables */
+    size_t *number;  /* [rows] their numbers */
     size_t rows;
     fmb_sorting *out;
-    bool *tight; /* [m] inequalities that turned out to be equalities; NULL: none is looked for */
+    bool *tight; /* [m] implicit equalities; NULL: they are not searched for */
 } substitution;
 
 static bool are_rows_small(size_t m, const fmb_lp_row *row)
@@ -55,7 +55,7 @@ static fmb_status copy_rows_to_substitute(substitution *t, fmb_arena *arena, fmb
     return FMB_OK;
 }
 
-/* A column where the row has the least coefficient; n: it has none. */
+/* The column of the row's least coefficient; n: all are zero. */
 static size_t find_pivot(const substitution *t, size_t i)
 {
     size_t best = t->n;
@@ -70,8 +70,8 @@ static size_t find_pivot(const substitution *t, size_t i)
     return best;
 }
 
-/* The variable leaves all rows but equalities that were substituted before. *small false: some
- * number became long. */
+/* Substitute the pivot variable in all rows but the equalities substituted before. *small false:
+ * some number became long. */
 static fmb_status substitute_equality(substitution *t, size_t i, size_t pivot, fmb_num *num,
                                       bool *small)
 {
@@ -85,7 +85,7 @@ static fmb_status substitute_equality(substitution *t, size_t i, size_t pivot, f
     return FMB_OK;
 }
 
-/* What becomes of rows that name no variable: they hold, and go, or nothing holds. */
+/* A row that names no variable is redundant if it holds; else the system is infeasible. */
 static void settle_constant_row(substitution *t, size_t i)
 {
     int64_t b = t->v[i].s[t->n];
@@ -114,7 +114,7 @@ static bool is_settled(const substitution *t, size_t i)
     return t->out->gone[i] || t->out->kept[i];
 }
 
-/* Those left name variables, and have no common divisor. */
+/* Decide constant inequalities, and divide the other open ones by their common divisors. */
 static fmb_status reduce_open_inequalities(substitution *t, fmb_num *num)
 {
     for (size_t i = 0; i < t->m; i++) {
@@ -127,7 +127,7 @@ static fmb_status reduce_open_inequalities(substitution *t, fmb_num *num)
     return FMB_OK;
 }
 
-/* Inequality i is an equality. */
+/* Treat inequality i as an equality. */
 static fmb_status substitute_tight_row(substitution *t, size_t i, fmb_num *num, bool *small)
 {
     size_t pivot = find_pivot(t, i);
@@ -140,7 +140,7 @@ static fmb_status substitute_tight_row(substitution *t, size_t i, fmb_num *num, 
     return FMB_OK;
 }
 
-/* Inequality number[k] is an equality, for each bit k of a set. */
+/* Treat inequality number[k] as an equality, for each bit k of set. */
 static fmb_status substitute_tight_rows(substitution *t, uint64_t set, fmb_num *num, bool *small)
 {
     for (; *small && set != 0; set &= set - 1)
@@ -159,7 +159,7 @@ static void list_inequalities(substitution *t)
     }
 }
 
-/* *tight: of those that are listed; then that is all that was found out. */
+/* *tight: the implicit equalities among the listed rows; with any, nothing else is known. */
 static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *arena,
                                     uint64_t *tight)
 {
@@ -179,8 +179,8 @@ static fmb_status sort_inequalities(substitution *t, fmb_run *run, fmb_arena *ar
     return FMB_OK;
 }
 
-/* Each pass but the last finds rows that are equalities, and leaves fewer columns; out->tight is
- * what one has found before. */
+/* Each pass but the last finds implicit equalities, and so removes columns; out->tight holds those
+ * found by an earlier call. */
 static fmb_status substitute_and_sort(substitution *t, fmb_run *run, fmb_arena *arena, fmb_num *num,
                                       bool *small)
 {

@@ -1,4 +1,4 @@
-/* canonical_rows.c: one form for one set; see canonical.h.
+/* canonical_rows.c: a unique form for each set; see canonical.h.
  *
  * The rows of a set P that is not empty, convex and described by rows <=, < and =:
  *
@@ -6,8 +6,8 @@
  *   other row names, with a positive coefficient;
  * - inequalities without pivots: one for each facet of the closure of P, strict if the facet is not
  *   in P;
- * - and a strict one for each largest face that P lacks beside those in facets that it lacks: the
- *   sum of the rows of all facets that hold that face;
+ * - and a strict one for each maximal face of the closure that is not in P and not in a facet that
+ *   is not in P: the sum of the rows of all facets that contain the face;
  *
  * all of integers without a common divisor, in the order of fmb_sysrow_compare.
  *
@@ -20,13 +20,13 @@
 #include "num/integers.h"
 #include "num/rationals.h"
 
-/* The equations of the image on their way to echelon form. */
+/* The equations of the image while they are brought to echelon form. */
 typedef struct echelon {
     fmb_claimed_rows *c;
-    size_t n, size, rank; /* columns, equations, and those so far that are in echelon form */
+    size_t n, size, rank; /* columns, equations, and equations in echelon form so far */
     fmb_integers *row;    /* [size]: n + 1 entries each */
-    mpq_t **of;           /* [size][size] the sum of which equations it is; NULL without claims */
-    size_t *at;    /* [size] their numbers in the image; in the end that of each with a pivot */
+    mpq_t **of;           /* [size][size] multipliers of the equations; NULL without claims */
+    size_t *at;    /* [size] numbers of the equations in the image; in the end of those kept */
     size_t *pivot; /* [rank] columns, increasing */
     mpz_t p, a, g; /* scratch */
     fmb_poll poll; /* the query */
@@ -75,7 +75,7 @@ static void close_echelon(echelon *e)
     mpz_clears(e->p, e->a, e->g, NULL);
 }
 
-/* of = (p of - a other) / g, p, a and g being those of e; nothing without claims. */
+/* of = (p of - a other) / g, with p, a and g of e; does nothing without claims. */
 static void combine_origins(echelon *e, mpq_t *of, mpq_t *other)
 {
     mpq_t p, a, t;
@@ -97,7 +97,7 @@ static void combine_origins(echelon *e, mpq_t *of, mpq_t *other)
     mpq_clears(p, a, t, NULL);
 }
 
-/* Row i gets a 0 in column j by means of row k, which has none there. */
+/* Make entry j of row i zero with row k, whose entry j is not zero. */
 static fmb_status clear_entry(echelon *e, size_t i, size_t k, size_t j)
 {
     mpz_t *to = e->row[i].z, *by = e->row[k].z;
@@ -126,7 +126,7 @@ static void swap_equations(echelon *e, size_t i, size_t k)
     e->of[k] = of;
 }
 
-/* Gauss and Jordan. */
+/* Gauss-Jordan elimination. */
 static fmb_status bring_to_echelon_form(echelon *e)
 {
     fmb_status st = FMB_OK;
@@ -145,7 +145,7 @@ static fmb_status bring_to_echelon_form(echelon *e)
     return st;
 }
 
-/* Coprime, the pivot positive. */
+/* Make the entries coprime and the pivot positive. */
 static fmb_status normalize_equation(echelon *e, size_t k)
 {
     mpz_t *z = e->row[k].z;
@@ -170,7 +170,7 @@ static fmb_status append_equation(echelon *e, size_t k)
     return st;
 }
 
-/* Those in echelon form take the places of the first equations; others are sums of them. */
+/* The echelon rows replace the first equations; the others, which depend on them, are removed. */
 static fmb_status replace_equations(echelon *e)
 {
     size_t rows = e->c->image->rows;
@@ -190,7 +190,7 @@ static fmb_status replace_equations(echelon *e)
 
 /* ---- inequalities ---------------------------------------------------------------------------- */
 
-/* e->p becomes a multiple of what z[] must be multiplied by to be 0 in pivot k. */
+/* Extend the factor e->p of z[], so that equation k can cancel entry pivot[k] in integers. */
 static fmb_status multiply_by_pivot(echelon *e, size_t k, mpz_t *z)
 {
     mpz_srcptr pivot = e->row[k].z[e->pivot[k]];
@@ -203,7 +203,7 @@ static fmb_status multiply_by_pivot(echelon *e, size_t k, mpz_t *z)
     return FMB_OK;
 }
 
-/* z[] becomes 0 in the pivots: it is multiplied by *own, and an equation by what is added to w. */
+/* Make z[] zero in all pivots: z[] is scaled by *own, and w gets the multipliers of equations. */
 static fmb_status subtract_equations(echelon *e, mpz_t *z, mpq_t own, fmb_weights *w)
 {
     fmb_status st = FMB_OK;
@@ -233,7 +233,7 @@ static fmb_status subtract_equations(echelon *e, mpz_t *z, mpq_t own, fmb_weight
     return st;
 }
 
-/* Inequality i is taken for its reduced form, which differs; z[n + 1] is scratch. */
+/* Replace inequality i by its reduced form, which differs; z[n + 1] is scratch. */
 static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
 {
     fmb_mem *mem = e->c->q->run.mem;

@@ -41,7 +41,7 @@ static int compare_indices(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* c->sum += factor * list; touched grows by the rows that it did not have. */
+/* c->sum += factor * list; rows not yet in touched are appended to it. */
 static void add_multiple(fmb_claimed_rows *c, const fmb_sparse_vector *list, mpq_srcptr factor,
                          size_t *touched)
 {
@@ -58,7 +58,7 @@ static void add_multiple(fmb_claimed_rows *c, const fmb_sparse_vector *list, mpq
     mpq_clear(t);
 }
 
-/* to = the sum of w times `sign`, as multipliers of the rows of the query's system. */
+/* to = sign times the combination w, as multipliers of the rows of the query's system. */
 static fmb_status push_sum(fmb_claimed_rows *c, const fmb_weights *w, int sign,
                            fmb_sparse_vector *to, fmb_evidence *e)
 {

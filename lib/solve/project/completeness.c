@@ -1,10 +1,10 @@
 /* completeness.c: corners of a projection, and the claim that they span it (proof/complete.h).
  *
- * The corners are the vertices, rays and lines of the rows that were found, by double description
- * in the kept variables alone; above each lies a solution, found by the oracle. So they owe nothing
- * to the way in which the rows were found. Where strict rows open faces, a strict solution above
- * the middle of each closed one is added, as far as the checker asks for it. The checker decides in
- * the end: what it would not accept is not claimed.
+ * The corners are the vertices, rays and lines of the rows found, by double description in the kept
+ * variables alone; the oracle finds a preimage of each. So they are independent of the engine that
+ * found the rows. Where strict rows exclude faces, a strict preimage of an inner point of each face
+ * that is not excluded is added, as far as the checker requires it. The checker decides in the end:
+ * what it would not accept is not claimed.
  */
 #include "solve/project/completeness.h"
 
@@ -15,18 +15,18 @@
 #include "solve/project/preimages.h"
 #include "solve/query/lifted.h"
 
-/* What the projection has cost, in operations as proof/elimination.h counts them: a few times that
- * is what a proof may cost, and no less than some milliseconds. */
+/* The work of the projection, estimated in operations as proof/elimination.h counts them: a proof
+ * may cost a few times that, and at least some milliseconds. */
 #define WORK_OF_ANY     ((uint64_t)1 << 24)
-#define WORK_OF_ROW     256 /* and variable */
+#define WORK_OF_ROW     256 /* per row and variable */
 #define WORK_OF_PAIR    16
 #define WORK_OF_PROGRAM ((uint64_t)1 << 14)
-/* So much of that is tried first, as a share; then so many times as much again. */
+/* The first attempt may take 1 / FIRST_SHARE of that; each further one so many times as much. */
 #define FIRST_SHARE 64
 #define NEXT_SHARE  8
-/* Of a ray that is made on the way to corners. */
+/* The work of an intermediate ray in the search for corners. */
 #define WORK_OF_RAY 1024
-/* And so are more faces whose middle has to be shown. */
+/* The proof is given up if more faces need an inner point. */
 #define MOST_MIDDLES 2000
 
 typedef struct completeness_proof {
@@ -34,20 +34,20 @@ typedef struct completeness_proof {
     const int *place;
     const fmb_system *image;
     size_t first;             /* claim of this proof */
-    fmb_preimages *preimages; /* NULL: not asked for yet */
-    fmb_integers y;           /* a point or direction of the image, t behind it */
-    mpq_t *x;                 /* [dim] above it */
+    fmb_preimages *preimages; /* NULL: not opened yet */
+    fmb_integers y;           /* a point or direction of the image, with t last */
+    mpq_t *x;                 /* [dim] its preimage */
     bool any_strict, done;
-    const char *why; /* it is not done */
-    uint64_t work;   /* that it may cost */
+    const char *why; /* the proof failed */
+    uint64_t work;   /* the most that it may cost */
     fmb_lifted lifted;
-    bool cornered, claimed; /* its corners are known; they were tried */
-    bool tight;             /* w->y is on some row */
+    bool cornered, claimed; /* corners are known; they were tried */
+    bool tight;             /* some row holds with equality at y */
 } completeness_proof;
 
 /* ---- corners --------------------------------------------------------------------------------- */
 
-/* That w->x, which is above w->y, is there. */
+/* Claim the solution w->x, a preimage of w->y. */
 static fmb_status claim_corner_at(completeness_proof *w)
 {
     fmb_claim *claim;
@@ -58,7 +58,7 @@ static fmb_status claim_corner_at(completeness_proof *w)
     return fmb_query_finish_claim(w->q, st);
 }
 
-/* What lies above y, as such rows have it. */
+/* Find and claim a preimage of w->y; strict rows hold strictly if `strict`, else as <=. */
 static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *found)
 {
     FMB_TRY(w->preimages ? FMB_OK : fmb_preimages_open(w->q, w->place, &w->preimages));
@@ -66,7 +66,7 @@ static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *f
     return *found ? claim_corner_at(w) : FMB_OK;
 }
 
-/* x is what was met above w->y; variables of other parts are as in some solution, or 0. */
+/* Claim x, a known preimage of w->y; variables of other parts are as in some solution, or 0. */
 static fmb_status claim_met_corner(completeness_proof *w, const fmb_integers *x)
 {
     const fmb_query *q = w->q;
@@ -88,7 +88,7 @@ static fmb_status claim_met_corner(completeness_proof *w, const fmb_integers *x)
     return claim_corner_at(w);
 }
 
-/* Sign of form number i of the image at w->y. */
+/* The sign of the slack of row r of the image at w->y. */
 static int sign_at_corner(completeness_proof *w, const fmb_sysrow *r)
 {
     mpz_t sum, a;
@@ -104,7 +104,7 @@ static int sign_at_corner(completeness_proof *w, const fmb_sysrow *r)
     return sign;
 }
 
-/* Only above points of the image is there a strict solution. */
+/* Is w->y in the image, strict rows included? Only then it has a strict preimage. */
 static bool is_in_image(completeness_proof *w)
 {
     bool inside = mpz_sgn(w->y.z[w->y.size - 1]) > 0;
@@ -114,7 +114,7 @@ static bool is_in_image(completeness_proof *w)
     return inside;
 }
 
-/* A point gets a strict solution, if there is one. */
+/* Claim a ray with a preimage; a point with a strict one, if there is one. */
 static fmb_status claim_corner(completeness_proof *w, const fmb_vec *ray, int sign, bool *found)
 {
     *found = false;
@@ -132,7 +132,7 @@ static fmb_status claim_corner(completeness_proof *w, const fmb_vec *ray, int si
     return met ? claim_met_corner(w, &met->x) : claim_corner_above(w, false, found);
 }
 
-/* *found false: above some there is nothing, and the rows say too little. */
+/* *found false: some corner has no preimage, so the rows are incomplete. */
 static fmb_status claim_all_corners(completeness_proof *w, const fmb_image *m, bool *found)
 {
     fmb_status st = FMB_OK;
@@ -147,7 +147,7 @@ static fmb_status claim_all_corners(completeness_proof *w, const fmb_image *m, b
     return st;
 }
 
-/* Those that the engine went by are corners of the rows, as far as they are all. */
+/* Take the corners from the points that the engine met, if these are all corners. */
 static fmb_status find_met_corners(completeness_proof *w, bool *found)
 {
     fmb_image m = {0};
@@ -165,7 +165,7 @@ static uint64_t affordable_work(const fmb_query *q)
     return WORK_OF_ANY + row * s->rows_made + WORK_OF_PAIR * s->pairs + WORK_OF_PROGRAM * s->lps;
 }
 
-/* Those of the rows, as far as the work for them goes. */
+/* Compute the corners from the rows, within the work for them. */
 static fmb_status find_corners_of_rows(completeness_proof *w)
 {
     FMB_TRY(w->lifted.q ? FMB_OK : fmb_lifted_open(&w->lifted, w->q, w->image));
@@ -204,7 +204,7 @@ static fmb_status find_middle(completeness_proof *w, const bool *on)
     return fmb_integers_settle(&w->y, w->q->run.mem);
 }
 
-/* Ask the checker; while all that it misses is a point above some face, give it one. */
+/* Run the checker; while it only lacks a preimage for some face, add one. */
 static fmb_status satisfy_checker(completeness_proof *w, size_t claim)
 {
     const fmb_poll poll = fmb_run_asked(&w->q->run);
@@ -254,7 +254,7 @@ static fmb_status claim_corners_of_rows(completeness_proof *w)
     return found ? claim_complete(w) : FMB_OK;
 }
 
-/* Corners, where these cost about as much as the order may; or that. At last it comes first. */
+/* Try corners, if cheap enough, then the order of elimination; last: the order comes first. */
 static fmb_status try_corners_or_order(completeness_proof *w, bool last)
 {
     FMB_TRY(last ? FMB_OK : find_corners_of_rows(w));
@@ -305,7 +305,7 @@ fmb_status fmb_query_prove_complete(fmb_query *q, const int *place, const fmb_sy
     fmb_status st = prove_complete(&w);
     if (st != FMB_OK || !w.done)
         drop_claims(&w);
-    if (st == FMB_LIMIT) /* which is one of memory where the run itself was not stopped */
+    if (st == FMB_LIMIT) /* a limit of memory if the run was not stopped */
         fmb_solver_refuse(
             q->v, st, "not proved whole: a limit (%s)",
             fmb_stop_text(q->run.stop == FMB_STOP_DONE ? FMB_STOP_BYTES : q->run.stop));

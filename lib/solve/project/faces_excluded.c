@@ -1,8 +1,8 @@
 /* faces_excluded.c: strict rows of a projection that describe no facet; see canonical.h.
  *
- * The inequalities are irredundant and reduced by the equations, so none is always tight. How the
- * facets are found that hold the face of a strict row, and how their sum is proved, is told by
- * docs/theory.md, theorem 26.
+ * The inequalities are irredundant and reduced by the equations, so none is always tight. Theorem
+ * 26 in docs/theory.md shows how to find the facets that contain the face of a strict row, and how
+ * to prove their sum.
  */
 #include <string.h>
 
@@ -15,10 +15,10 @@
 #include "solve/project/canonical.h"
 
 typedef struct excluded_face {
-    size_t row;     /* of the image: strict, and of no facet */
-    uint64_t *on;   /* facets that hold the face */
-    fmb_weights y;  /* over facets: their sum is the row */
-    bool redundant; /* the row says nothing that others do not */
+    size_t row;     /* of the image: strict, describes no facet */
+    uint64_t *on;   /* facets that contain the face */
+    fmb_weights y;  /* multipliers of facets that combine to the row */
+    bool redundant; /* other rows imply the row */
 } excluded_face;
 
 typedef struct face_search {
@@ -30,12 +30,12 @@ typedef struct face_search {
     excluded_face *face; /* [faces] */
     fmb_program program; /* facets, < read as <= */
     fmb_oracle *oracle;
-    mpq_t *x; /* [n] a point of the face at hand */
+    mpq_t *x; /* [n] a point of the current face */
 } face_search;
 
 /* ---- which rows are facets ------------------------------------------------------------------- */
 
-/* Inequalities, as the tests of redundancy take them, and what is found out about them. */
+/* The inequalities as input of the redundancy test, and its results. */
 typedef struct closure {
     size_t n, m;
     size_t *row; /* [m] of the image */
@@ -55,7 +55,7 @@ static fmb_status close_row(const face_search *f, const fmb_sysrow *r, mpz_t *z,
     return fmb_vec_set_z(v, f->n + 1, z, f->arena->mem);
 }
 
-/* Close it in any case. */
+/* Close it, even after an error. */
 static fmb_status open_closure(closure *o, const face_search *f)
 {
     const fmb_system *image = f->c->image;
@@ -104,7 +104,7 @@ static fmb_status tell_facets_from_faces(face_search *f, closure *o)
     bool unknown = false;
     for (size_t i = 0; i < o->m; i++)
         unknown = unknown || o->fate[i] == FMB_FATE_UNKNOWN;
-    bool feasible; /* it is: these are rows of a projection that is not empty */
+    bool feasible; /* always true: the projection is not empty */
     return st == FMB_OK && unknown ? fmb_redundant(run, o->n, o->m, o->lp, NULL, o->fate, &feasible)
                                    : st;
 }
@@ -148,7 +148,7 @@ static fmb_status open_facets_program(face_search *f)
     return fmb_oracle_feasible(f->oracle, &feasible);
 }
 
-/* r as a sum of facets, and a point where it is tight. */
+/* Find face->y, multipliers of facets that combine to the row, and a point where it is tight. */
 static fmb_status write_row_by_facets(face_search *f, excluded_face *face)
 {
     fmb_mem *mem = f->c->q->run.mem;
@@ -195,8 +195,8 @@ static bool is_tight_at_point(const face_search *f, size_t i)
     return tight;
 }
 
-/* The facets in face->on are tight, the doubtful ones must not be. *more: some of these have to be,
- * and are in face->on now. */
+/* Is there a point where the facets in face->on are tight and no doubtful facet is? *more: some of
+ * the doubtful ones are always tight, and are in face->on now. */
 static fmb_status ask_about_doubtful_facets(face_search *f, excluded_face *face,
                                             const uint64_t *doubtful, bool *more)
 {
@@ -247,7 +247,7 @@ static fmb_status find_facets_of_face(face_search *f, excluded_face *face)
     return FMB_OK;
 }
 
-/* A face that is part of another one, or of a facet that is missing, is missing anyway. */
+/* Mark rows as redundant whose face lies in another excluded face, or in an excluded facet. */
 static void find_faces_of_missing_ones(face_search *f)
 {
     for (size_t i = 0; i < f->faces; i++) {
@@ -265,7 +265,7 @@ static void find_faces_of_missing_ones(face_search *f)
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* z[n + 1] = the sum of the facets that hold the face, over its content, which is also set. */
+/* z[n + 1] = the sum of the facets that contain the face, over its content, which is also set. */
 static fmb_status sum_facets_of_face(const face_search *f, const excluded_face *face, mpz_t *z,
                                      mpz_t content)
 {
@@ -286,7 +286,7 @@ static fmb_status sum_facets_of_face(const face_search *f, const excluded_face *
     return fmb_integers_reduce(z, f->n + 1, content, &poll);
 }
 
-/* The multipliers in the proof at the head of this file, over the content. */
+/* The multipliers in the proof of theorem 26, over the content. */
 static fmb_status prove_sum(const face_search *f, const excluded_face *face, const mpz_t content,
                             fmb_weights *w)
 {
@@ -335,7 +335,7 @@ static fmb_status put_row_of_face(face_search *f, const excluded_face *face)
     return st;
 }
 
-/* Faces are listed in the order of their rows, which move up where some go. */
+/* Replace the rows of all faces; remove the redundant ones, last first, as later rows move up. */
 static fmb_status put_all_faces(face_search *f)
 {
     for (size_t i = 0; i < f->faces; i++)

@@ -3,7 +3,7 @@
 
 #include "solve/query/lifted.h"
 
-/* Is each kept variable one of that part? Another one is free, or makes products of corners. */
+/* Are all kept variables in q->met.part? Others are free, or corners are products over parts. */
 static bool holds_part_all_kept(const fmb_query *q, const int *place)
 {
     bool all = q->met.size > 0;
@@ -12,7 +12,7 @@ static bool holds_part_all_kept(const fmb_query *q, const int *place)
     return all;
 }
 
-/* The points that were met, each once. */
+/* Put the met points into m. */
 static fmb_status list_met_vectors(fmb_query *q, fmb_image *m)
 {
     const fmb_met_points *met = &q->met;

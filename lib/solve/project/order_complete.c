@@ -1,8 +1,8 @@
 /* order_complete.c: see order_complete.h.
  *
- * The judge's own elimination is gone through, variable by variable, each time the one that makes
- * the fewest rows. Most rows that are left are rows of the image; each other one is a sum of these,
- * which a linear program finds.
+ * The elimination of the checker is repeated, always with the variable that makes the fewest rows.
+ * Most remaining rows are rows of the image; each other one is a combination of these, found by a
+ * linear program.
  */
 #include "solve/project/order_complete.h"
 
@@ -11,7 +11,7 @@
 #include "proof/by_elimination.h"
 #include "system/system_private.h"
 
-/* A linear program counts as so much work. */
+/* The work of a linear program. */
 #define WORK_OF_PROGRAM ((uint64_t)1 << 14)
 
 typedef struct order_proof {
@@ -20,8 +20,8 @@ typedef struct order_proof {
     const fmb_system *image;
     size_t first; /* claim of this proof; those before it are of the image's rows */
     fmb_elimination of;
-    bool *gone;          /* [dim] it was eliminated, or is kept */
-    size_t *variable;    /* [k] kept, by column of the image */
+    bool *gone;          /* [dim] eliminated, or kept */
+    size_t *variable;    /* [k] kept variables, by column of the image */
     fmb_program program; /* the image */
     fmb_oracle *oracle;
     bool done;
@@ -29,8 +29,8 @@ typedef struct order_proof {
 
 /* ---- the order ------------------------------------------------------------------------------- */
 
-/* How many rows there would be without that variable, at most; by an equality, none are made, which
- * comes first. SIZE_MAX: no row names it. */
+/* An upper bound of the rows after eliminating that variable; 0 if an equality names it, which is
+ * substituted. SIZE_MAX: no row names it. */
 static size_t count_rows_made(const order_proof *w, size_t v)
 {
     size_t positive = 0, negative = 0, equalities = 0;
@@ -46,7 +46,7 @@ static size_t count_rows_made(const order_proof *w, size_t v)
     return equalities > 0 ? 0 : w->of.rows + positive * negative - positive - negative;
 }
 
-/* The next one to go, or SIZE_MAX. */
+/* The variable to eliminate next, or SIZE_MAX. */
 static size_t choose_variable(const order_proof *w)
 {
     size_t best = SIZE_MAX, least = SIZE_MAX;
@@ -60,7 +60,7 @@ static size_t choose_variable(const order_proof *w)
     return best;
 }
 
-/* Number those that go, at the claim. Where no row names one, any makes a step. */
+/* Eliminate all variables and list their order in the claim, which needs at least one step. */
 static fmb_status eliminate_all(order_proof *w, fmb_claim *claim, bool *done)
 {
     fmb_status st = FMB_OK;
@@ -98,7 +98,7 @@ static fmb_status open_program_of_image(order_proof *w)
     return fmb_oracle_feasible(w->oracle, &feasible);
 }
 
-/* Row number `row` of the image, times that weight, as a multiple of its claim. */
+/* Append weight times row number `row` of the image, as a multiple of its claim. */
 static fmb_status push_multiple_of_claim(order_proof *w, size_t row, mpq_srcptr weight,
                                          fmb_sparse_vector *to)
 {
@@ -115,7 +115,7 @@ static fmb_status push_multiple_of_claim(order_proof *w, size_t row, mpq_srcptr 
     return st;
 }
 
-/* The place of the least row behind number `from`, or SIZE_MAX. */
+/* The place in sum of the row with the least number >= from, or SIZE_MAX. */
 static size_t find_next_row(const fmb_weights *sum, size_t from)
 {
     size_t next = SIZE_MAX;
@@ -125,7 +125,7 @@ static size_t find_next_row(const fmb_weights *sum, size_t from)
     return next;
 }
 
-/* a.x <= b, as z[k + 1], and what rows of the image add up to it. */
+/* Claim a.x <= b, given as z[k + 1], with the rows of the image that combine to it. */
 static fmb_status claim_sum_of_rows(order_proof *w, const fmb_integers *z, bool strict,
                                     const fmb_weights *sum)
 {
@@ -150,7 +150,7 @@ static fmb_status claim_sum_of_rows(order_proof *w, const fmb_integers *z, bool 
     return fmb_query_finish_claim(w->q, st);
 }
 
-/* As fmb_unsaid has it. */
+/* A callback of type fmb_unsaid. */
 static fmb_status claim_unsaid_row(void *self, const fmb_integers *z, bool strict)
 {
     order_proof *w = self;

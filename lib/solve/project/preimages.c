@@ -1,23 +1,23 @@
-/* preimages.c: a program a part and reading of strict rows; see preimages.h. */
+/* preimages.c: one program per part and per reading of strict rows; see preimages.h. */
 #include "solve/project/preimages.h"
 
 #include "system/system_private.h"
 
-/* A part, as a program over its variables that go: those rows that name one. */
+/* A part as a program over its eliminated variables, of the rows that name one. */
 typedef struct lifted_part {
     const fmb_part *p;
-    int *column; /* [p->n] of variables that go; -1: kept */
+    int *column; /* [p->n] of eliminated variables; -1: kept */
     int n;       /* columns */
     fmb_program program;
     const fmb_sysrow **row; /* [p->m] of the program's rows */
-    fmb_oracle *oracle;     /* or NULL: no variable goes */
+    fmb_oracle *oracle;     /* NULL: no variable was eliminated */
 } lifted_part;
 
 struct fmb_preimages {
     fmb_query *q;
     const int *place;
     size_t parts;
-    lifted_part *part[2]; /* [parts] as the closure, and with strict rows */
+    lifted_part *part[2]; /* [parts] for the closure, and with strict rows */
     mpz_t b, t;
 };
 
@@ -35,7 +35,7 @@ static fmb_status number_columns_that_go(fmb_preimages *l, lifted_part *h)
     return FMB_OK;
 }
 
-/* The row's terms that go, with right side 0 for now, unless there are none; z[h->n + 1]. */
+/* Add the row's terms in eliminated variables, if any, with right side 0 for now; z[h->n + 1]. */
 static fmb_status add_lifted_row(fmb_preimages *l, lifted_part *h, const fmb_sysrow *row,
                                  bool strict, fmb_integers *z)
 {
@@ -106,7 +106,7 @@ void fmb_preimages_close(fmb_preimages *l)
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
-/* b = t times the right side minus what kept variables contribute. */
+/* b = t times the right side minus the terms of kept variables. */
 static void find_right_side(fmb_preimages *l, const fmb_sysrow *row, const fmb_integers *y)
 {
     fmb_vec_get(&row->val, row->nnz, l->b);
@@ -120,7 +120,7 @@ static void find_right_side(fmb_preimages *l, const fmb_sysrow *row, const fmb_i
     }
 }
 
-/* Strict rows without a variable that goes: they hold at y, or not. */
+/* Do the strict rows over kept variables only hold at y? */
 static bool keeps_strict_rows(fmb_preimages *l, const fmb_integers *y)
 {
     bool good = true;
@@ -168,7 +168,7 @@ static fmb_status lift_in_part(fmb_preimages *l, lifted_part *h, const fmb_integ
     return FMB_OK;
 }
 
-/* Variables that go and that no row names are 0. */
+/* Set kept variables from y; eliminated ones that no row names become 0. */
 static void set_kept_variables(const fmb_preimages *l, const fmb_integers *y, mpq_t *x)
 {
     bool direction = mpz_sgn(y->z[y->size - 1]) == 0;

@@ -8,7 +8,7 @@
 #include "solve/project/completeness.h"
 #include "system/system_private.h"
 
-/* An empty system over the variables kept; keep NULL: the first n. */
+/* A system without rows over the kept variables; keep NULL: the first n. */
 static fmb_status open_empty_projection(const fmb_system *s, const int *keep, int n,
                                         fmb_system **out)
 {
@@ -45,17 +45,17 @@ fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_sys
     return st;
 }
 
-/* What is known of the parts when a limit has cut a projection short. */
+/* The state of a projection when it reaches a limit. */
 typedef struct progress {
-    int part;    /* the one at hand, or the first */
-    size_t rows; /* of those before it */
-    bool points; /* those of it can be told: of all parts a solution is known, or none is wanted */
+    int part;    /* the current part, or the first */
+    size_t rows; /* of the parts before it */
+    bool points; /* points can be claimed: solutions of all parts are known, or not wanted */
 } progress;
 
-/* Rows that name so few variables each are eliminated in no time. */
+/* Variables of rows with so few terms each are eliminated in no time. */
 #define FEW_NAMED 4
 
-/* May it be that there is no solution, as 0 is none, and is that told sooner than anything else? */
+/* Is the system possibly infeasible, as 0 is no solution, and is that cheap to decide first? */
 static bool is_doubt_cheap(const fmb_system *s)
 {
     size_t nonzero = 0;
@@ -69,8 +69,7 @@ static bool is_doubt_cheap(const fmb_system *s)
     return !origin && nonzero <= FEW_NAMED * s->rows;
 }
 
-/* Whether there is a solution is decided first where proofs are wanted, and where it costs hardly
- * anything. */
+/* Decide feasibility first if proofs are wanted, or if that costs almost nothing. */
 static fmb_status decide_before_projection(fmb_query *q, fmb_verdict *verdict)
 {
     q->decided = q->evidence != NULL || q->parts.false_row != SIZE_MAX;
@@ -111,8 +110,8 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
     return FMB_OK;
 }
 
-/* So much of the projection is known from outside and, after queries, from within: what bounds its
- * variables at once, for which no limit is too tight, and what was proved on the way. */
+/* After a limit: append outer rows and, after support queries, claim inner points. Outer rows are
+ * ends of variables, cheap under any limit, and rows that engines had proved. */
 static fmb_status put_parts_at_limit(fmb_query *q, const progress *at, const int *place,
                                      fmb_system *out, fmb_verdict *verdict)
 {
@@ -155,7 +154,7 @@ static fmb_status expect_increasing(fmb_solver *v, const fmb_system *s, const in
     return FMB_OK;
 }
 
-/* The place of each variable in keep, -1 where it is not kept; NULL without memory. */
+/* The place of each variable in keep, -1 if it is not kept; NULL without memory. */
 static int *places_of_kept(const fmb_system *s, const int *keep, int n, fmb_mem *mem)
 {
     int dim = fmb_system_dim(s);
@@ -177,7 +176,7 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
     FMB_TRY(expect_increasing(v, s, keep, n));
     int *place = places_of_kept(s, keep, n, &v->mem);
     if (!place) {
-        v->answered = false; /* the evidence at hand is that of an older query */
+        v->answered = false; /* the evidence is that of an older query */
         return FMB_ERR_MEMORY;
     }
     fmb_status st = fmb_symmetries_enter(v, s, place);

@@ -2,7 +2,7 @@
 #include "num/rationals.h"
 #include "solve/query/solver.h"
 
-/* The first claim of that kind about the last answer, or NULL. */
+/* The first claim of that kind in the evidence of the last answer, or NULL. */
 static const fmb_claim *find_claim(const fmb_solver *v, fmb_claim_kind kind)
 {
     const fmb_evidence *e = v && v->answered ? v->evidence : NULL;
@@ -38,7 +38,7 @@ fmb_status fmb_solver_point(fmb_solver *v, double *x)
     return FMB_OK;
 }
 
-/* NULL: 0, or there is none. */
+/* NULL: the coordinate is 0, or there is no point. */
 static mpq_srcptr find_coordinate(const fmb_solver *v, int j)
 {
     const fmb_claim *c = find_claim(v, FMB_CLAIM_FEASIBLE);
@@ -82,7 +82,7 @@ size_t fmb_solver_conflict_row(const fmb_solver *v, size_t k)
     return row;
 }
 
-/* NULL: there is none. */
+/* NULL: there is no such multiplier. */
 static mpq_srcptr find_conflict_multiplier(const fmb_solver *v, size_t k)
 {
     const fmb_claim *c = find_claim(v, FMB_CLAIM_INFEASIBLE);

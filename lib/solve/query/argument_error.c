@@ -1,4 +1,4 @@
-/* argument_error.c: what was wrong with an argument, in words, on the solver. */
+/* argument_error.c: checks of arguments, and the error text that the solver keeps. */
 #include <stdarg.h>
 #include <stdio.h>
 

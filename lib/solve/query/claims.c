@@ -78,7 +78,7 @@ fmb_status fmb_query_claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim
         return FMB_OK;
     const fmb_derived *r = &e->row[e->clash];
     fmb_weights w = {0};
-    mpq_t one; /* 0 = positive is an equality: turn it round */
+    mpq_t one; /* 0 = positive is an equality: negate it */
     mpq_init(one);
     mpq_set_si(one, fmb_vec_sgn(&r->v, (size_t)e->n) > 0 ? -1 : 1, 1);
     fmb_status st = fmb_query_derive(q, e, e->clash, one, &w);
@@ -98,7 +98,7 @@ fmb_status fmb_query_claim_false_row(fmb_query *q, size_t i)
     mpq_t b;
     mpq_init(b);
     fmb_system_rhs_q(q->s, i, b);
-    mpq_set_si(b, mpq_sgn(b) > 0 ? -1 : 1, 1); /* 0 = positive is an equality: turn it round */
+    mpq_set_si(b, mpq_sgn(b) > 0 ? -1 : 1, 1); /* 0 = positive is an equality: negate it */
     fmb_status st = fmb_evidence_push(q->evidence, &claim->multipliers, i, b);
     mpq_clear(b);
     return fmb_query_finish_claim(q, st);

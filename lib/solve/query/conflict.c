@@ -1,9 +1,9 @@
-/* conflict.c: conflicts of which no row can be left out.
+/* conflict.c: irreducible conflicts.
  *
- * A conflict of an oracle stands on a basis: its rows are independent but for the one relation that
- * its multipliers are, so no part of them is a conflict (Gleeson and Ryan 1990: irreducible
- * infeasible subsystems are the supports of vertices of the alternative system). What elimination
- * finds may have more rows: then the oracle is asked about these rows alone.
+ * A conflict found by an oracle belongs to a basis: its multipliers are, up to scaling, the only
+ * linear relation among its rows, so no proper subset is a conflict (Gleeson and Ryan 1990:
+ * irreducible infeasible subsystems are the supports of vertices of the alternative system). A
+ * conflict found by elimination may have more rows: then the oracle solves these rows alone.
  */
 #include "solve/query/solver.h"
 #include "system/system_private.h"
@@ -18,7 +18,7 @@ static fmb_status load_rows_of_conflict(const fmb_query *q, const fmb_part *p, c
     return FMB_OK;
 }
 
-/* The conflict of o, its rows numbered as in the part. */
+/* Take the conflict of o, with its rows numbered as in the part. */
 static fmb_status take_conflict(fmb_query *q, const fmb_part *p, fmb_oracle *o, fmb_weights *w)
 {
     fmb_weights less = {0};

@@ -98,7 +98,7 @@ size_t fmb_exact_side_print(const fmb_exact_side *e, char *text, size_t size)
     return 0;
 }
 
-/* NULL: there is none. */
+/* NULL: there is no such interval. */
 static const fmb_exact_side *side_of_box(const fmb_box *b, int i, fmb_side side)
 {
     bool is_there = has_interval(b, i) && (side == FMB_LOWER || side == FMB_UPPER);

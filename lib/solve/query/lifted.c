@@ -1,4 +1,4 @@
-/* lifted.c: the cone over the solutions of a system; see lifted.h. */
+/* lifted.c: the homogenized cone of a system; see lifted.h. */
 #include "solve/query/lifted.h"
 
 void fmb_lifted_write_form(const fmb_sysrow *r, size_t d, mpz_t *z)

@@ -47,13 +47,13 @@ fmb_status fmb_met_points_add(fmb_met_points *m, const fmb_vec *y, fmb_integers 
     return FMB_OK;
 }
 
-/* A point, and how wide it is: qsort hands over nothing else. */
+/* A point and its width, as the comparison of qsort gets no other argument. */
 typedef struct placed_point {
     fmb_met_point point;
     size_t width;
 } placed_point;
 
-/* Of equal ones, those above which something is known come first. */
+/* Among equal points those with a known preimage come first. */
 static int compare_met_points(const void *a, const void *b)
 {
     const placed_point *p = a, *q = b;

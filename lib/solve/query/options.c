@@ -22,7 +22,7 @@ static const char *const SYMMETRY[] = {"auto", "none", NULL};
 static const char *const REBASE[] = {"auto", "always", "never", NULL};
 static const char *const SIMD[] = {"auto", "plain", "avx2", "avx512", NULL};
 
-/* An option, the member of fmb_options with its name, and what is said of it. */
+/* An option: its member in fmb_options, which has the same name, and its description. */
 #define OPTION(kind, name, words, ...)                                                             \
     {                                                                                              \
         {#name, __VA_ARGS__}, kind, offsetof(fmb_options, name), words                             \
@@ -101,8 +101,8 @@ static fmb_status set_count_option(const char *value, size_t *field)
     return FMB_OK;
 }
 
-/* The digits of "12.5e-3", read without the locale: *value becomes 125, *unit 10. What stands
- * behind them, or NULL without any. */
+/* Read the digits of "12.5e-3", independent of the locale: *value becomes 125, *unit 10. Returns
+ * the text after them, or NULL if there are none. */
 static const char *read_digits(const char *p, double *value, double *unit)
 {
     bool point = false, digits = false;
@@ -115,7 +115,7 @@ static const char *read_digits(const char *p, double *value, double *unit)
     return digits ? p : NULL;
 }
 
-/* "e-3", of at most three digits, or nothing. */
+/* Read "e-3", with at most three digits, or an empty text. */
 static bool read_exponent(const char *p, double *value, double *unit)
 {
     if (*p == '\0')
@@ -130,7 +130,7 @@ static bool read_exponent(const char *p, double *value, double *unit)
     return digits > 0 && digits <= 3 && p[digits] == '\0';
 }
 
-/* What is more than 0 stays so, as 0 is no limit. */
+/* A positive value never becomes 0, as 0 means no limit. */
 static fmb_status set_seconds_option(const char *value, double *field)
 {
     double number = 0, unit = 1;
@@ -153,7 +153,7 @@ static fmb_status set_flag_option(const char *value, bool *field)
     return FMB_OK;
 }
 
-/* Where the field of an option ends. */
+/* The offset of the end of an option's field. */
 static size_t find_end_of_option(const entry *e)
 {
     switch (e->kind) {

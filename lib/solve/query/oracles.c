@@ -1,5 +1,4 @@
-/* oracles.c: what is made of a part when it is first asked for: dense rows, an oracle; see
- * solver.h. */
+/* oracles.c: dense rows and oracles of parts, made on first use; see solver.h. */
 #include "solve/query/solver.h"
 #include "system/system_private.h"
 
@@ -18,7 +17,7 @@ static fmb_status load_program(fmb_query *q, const fmb_part *p, fmb_program *out
     return FMB_OK;
 }
 
-/* The oracle of the system that is loaded, which catches up with it when it is first asked. */
+/* The oracle of the loaded system, which is brought up to date on the first call. */
 static fmb_status enter_session(fmb_query *q, fmb_oracle **out)
 {
     fmb_status st = q->entered ? FMB_OK : fmb_session_enter(q->session, &q->run);
@@ -66,7 +65,7 @@ fmb_status fmb_query_take_integer_weights(fmb_query *q, const fmb_part *p, fmb_w
     return st;
 }
 
-/* Rows of the system become such of the part, which has them in increasing order. */
+/* Renumber rows of the system as rows of the part, which has them in increasing order. */
 static void number_rows_as_part(const fmb_part *p, fmb_weights *w)
 {
     for (size_t k = 0; k < w->size; k++) {

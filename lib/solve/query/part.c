@@ -68,7 +68,7 @@ static void number_parts(fmb_parts *p, const fmb_system *s, int *up, const bool 
     }
 }
 
-/* Room for n variables and m rows; m then counts what is filled in. */
+/* Allocate n variables and m rows; m becomes 0 and then counts rows filled in. */
 static fmb_status allocate_part(fmb_part *p, fmb_arena *arena)
 {
     p->var = fmb_arena_get(arena, (size_t)p->n, sizeof *p->var);
@@ -215,8 +215,8 @@ fmb_status fmb_part_content(const fmb_system *s, size_t source, fmb_run *run, mp
     return st;
 }
 
-/* The row as written is ints / den, the part's row ints / g with g the greatest common divisor of
- * coefficients and right side: so a multiplier u of the latter is u den / g of the former. */
+/* The system's row is ints / den, the part's row is ints / g, with g the greatest common divisor of
+ * coefficients and right side: a multiplier u of the latter is u den / g of the former. */
 fmb_status fmb_part_scale(const fmb_system *s, size_t source, fmb_run *run, mpq_t factor)
 {
     const fmb_sysrow *r = fmb_system_row(s, source);

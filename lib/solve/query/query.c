@@ -1,4 +1,4 @@
-/* query.c: life of a solver, and the frame of every query; see solver.h. */
+/* query.c: creating and freeing solvers, beginning and ending queries; see solver.h. */
 #include "solve/query/solver.h"
 
 #include "num/kernels/kernels.h"
@@ -97,7 +97,7 @@ static fmb_status begin_query(fmb_query *q, fmb_solver *v, const fmb_system *s, 
     fmb_evidence_free(v->evidence);
     v->evidence = NULL;
     if (v->options.max_bytes > 0)
-        fmb_arena_clear(&v->arena); /* what older queries left shall not count for this one */
+        fmb_arena_clear(&v->arena); /* memory of older queries must not count for this one */
     fmb_arena_reset(&v->arena);
     if (!v->within)
         atomic_store_explicit(&v->cancel, 0, memory_order_relaxed);
@@ -188,7 +188,7 @@ fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, bool feasible, fmb_el
                           .rule = rule,
                           .rules = rules};
     q->run.var_of = p->var;
-    *e = (fmb_elim){.run = &q->run}; /* it can be cleared, whatever fails */
+    *e = (fmb_elim){.run = &q->run}; /* so it can be cleared after any error */
     FMB_TRY(p->row ? FMB_OK : fmb_query_write_rows(q, (int)(p - q->parts.part)));
     fmb_status st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &o);
     for (size_t i = 0; st == FMB_OK && i < p->m; i++)

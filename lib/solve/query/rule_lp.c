@@ -1,7 +1,7 @@
 /* rule_lp.c: redundancy by linear programs while eliminating; see rule_lp.h.
  *
- * Each row is tested against those still there, so what goes is implied by what stays. Not a rule
- * of histories: the engine re-bases after it. Source: Schrijver 1986.
+ * Each row is tested against the rows not yet dropped, so dropped rows are implied by the remaining
+ * ones. This is no history rule: the engine re-bases after it. Source: Schrijver 1986.
  */
 #include "solve/query/rule_lp.h"
 
@@ -10,7 +10,7 @@
 #include "lp/redundancy/active_set/implied.h"
 #include "lp/redundancy/irredundant.h"
 
-/* Rows that still live, in lists for the oracle. */
+/* The live rows, as lists for the oracle. */
 typedef struct rows {
     fmb_lp_row *row;
     fmb_fate *fate;
@@ -20,17 +20,17 @@ typedef struct rows {
     size_t size, room;
 } rows;
 
-/* One look at the rows; between slices the elimination keeps it. */
+/* One test of all rows; between slices the elimination keeps it. */
 typedef struct look {
     fmb_mem *mem;
     rows at;
     fmb_sorting sorting;
-    bool sorted;        /* guesses are over, and the oracle is asked */
-    fmb_pruner *pruner; /* once some of its answers are there */
+    bool sorted;        /* guesses are done, the oracle decides the rest */
+    fmb_pruner *pruner; /* the oracle's state, once it was interrupted */
 } look;
 
 typedef struct patience {
-    size_t next; /* rows from which on it looks again; 0: it has not looked */
+    size_t next; /* the number of rows for the next test; 0: none so far */
 } patience;
 
 static fmb_status hold_row_lists(rows *a, fmb_mem *mem, bool get)
@@ -54,12 +54,12 @@ static void list_undropped_rows(rows *a, const fmb_elim *e, const bool *drop)
     }
 }
 
-/* What guesses left undecided is asked about exactly, until all is or a slice is over: then *open
- * rows are left. */
+/* Decide exactly the rows that guesses left undecided, until the slice is used up: then *open rows
+ * are undecided. */
 static fmb_status decide_rows_exactly(const fmb_elim *e, look *l, size_t *open)
 {
     rows *a = &l->at;
-    bool feasible; /* if they are not, a rule lied when that was decided */
+    bool feasible; /* false: the earlier decision used an unsound rule */
     for (size_t i = 0; !l->pruner && i < a->size; i++)
         if (a->fate[i] == FMB_FATE_UNKNOWN && (a->gone[i] || a->kept[i]))
             a->fate[i] = a->gone[i] ? FMB_FATE_REDUNDANT : FMB_FATE_KEPT;
@@ -73,14 +73,14 @@ static fmb_status decide_rows_exactly(const fmb_elim *e, look *l, size_t *open)
     return st;
 }
 
-/* Where numbers are long, to ask exactly takes longer than other ways than elimination do. */
+/* Is this a trial, with numbers so long that exact tests take longer than other engines? */
 static bool is_trial_of_long_numbers(const fmb_elim *e)
 {
     return e->budget > 0 && fmb_elim_minor_bits(e) > FMB_LONG_MINOR;
 }
 
-/* What guesses of all rows together find is cheap; if they leave many doubts, each row is asked
- * about. */
+/* Guesses about all rows together are cheap; only if they leave many rows undecided is each row
+ * tested exactly. */
 static bool leaves_doubts(const fmb_elim *e, const look *l)
 {
     return 4 * l->sorting.doubtful >= l->at.size && !is_trial_of_long_numbers(e);
@@ -112,7 +112,7 @@ static fmb_status open_look(const fmb_view *w, const bool *drop, look **opened)
     return st;
 }
 
-/* *done false: a slice is over. */
+/* *done false: the slice is used up. */
 static fmb_status go_on_looking(const fmb_elim *e, look *l, bool *done)
 {
     size_t open = 0;
@@ -128,7 +128,7 @@ static fmb_status go_on_looking(const fmb_elim *e, look *l, bool *done)
     return st;
 }
 
-/* Between slices the rows alive stay the same. */
+/* The callback of the rule. The live rows do not change between slices. */
 static fmb_status look_at_rows(const fmb_view *w, bool *drop)
 {
     fmb_elim *e = w->e;

@@ -1,4 +1,4 @@
-/* rules.c: the built-in rules, those in use, and whether they go together. */
+/* rules.c: the built-in rules, the rules in use, and whether they are compatible. */
 #include "rule/rule_private.h"
 
 #include <stdio.h>
@@ -33,7 +33,7 @@ const fmb_rule *fmb_rule_find(const char *name)
 
 /* ---- lists of words -------------------------------------------------------------------------- */
 
-/* Hand each word of a comma list to take. */
+/* Call take for each word of a comma-separated list. */
 static fmb_status take_words_of_list(fmb_solver *v, const char *list,
                                      fmb_status (*take)(fmb_solver *v, const char *word,
                                                         size_t size))

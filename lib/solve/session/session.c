@@ -58,7 +58,7 @@ fmb_status fmb_session_reserve(fmb_session *c)
     return FMB_OK;
 }
 
-/* Note a change; what it replaced goes where nobody will want it back. */
+/* Append a change to the journal; if no level is open, free what it replaced. */
 static void note_change(fmb_session *c, fmb_change change)
 {
     if (c->levels > 0)
@@ -109,7 +109,7 @@ void fmb_session_note_variable(fmb_session *c)
     note_change(c, (fmb_change){.kind = FMB_CHANGE_VARIABLE});
 }
 
-/* By bisection. */
+/* Finds the row by bisection. */
 size_t fmb_session_find(const fmb_session *c, fmb_row handle)
 {
     size_t low = 0, high = fmb_system_rows(c->s);

@@ -1,8 +1,8 @@
-/* warm.c: the oracle of a system that changes catches up with it; see session_private.h and
+/* warm.c: brings the oracle of a session up to date with its system; see session_private.h and
  * session_state.h. */
 #include "solve/session/session_state.h"
 
-/* Slots that are off may outnumber those that are on by so many before the program is made anew. */
+/* The program is built anew once its slots exceed twice the rows by so many. */
 #define SPARE_SLOTS 64
 
 static bool is_constant_row(const fmb_session *c, size_t i)
@@ -39,7 +39,7 @@ static fmb_status open_session_oracle(fmb_session *c)
     return fmb_oracle_new(&c->run, &c->program, &c->oracle);
 }
 
-/* c->source of the slots in use; -1 (SIZE_MAX) of the others. Slots of new rows are yet to come. */
+/* Set c->source for the slots in use, SIZE_MAX for the others. New rows have no slots yet. */
 static fmb_status find_sources(fmb_session *c)
 {
     FMB_TRY(FMB_RESERVE(c->mem, &c->source, &c->source_room, c->program.m));
@@ -51,8 +51,8 @@ static fmb_status find_sources(fmb_session *c)
     return FMB_OK;
 }
 
-/* The slot of row i has coefficients c_k where the row's integers are a_k: it needs b c_0 / a_0 on
- * its right side. Where that is no integer the row takes a new slot. */
+/* The slot of row i has the coefficients c_k, the row has the integers a_k and b: the slot's right
+ * side must be b c_0 / a_0. If that is no integer, the row takes a new slot. */
 static fmb_status shift_slot(fmb_session *c, size_t i)
 {
     const fmb_sysrow *r = fmb_system_row(c->s, i);
@@ -114,15 +114,14 @@ static fmb_status append_slots(fmb_session *c)
     return c->program.m > before ? fmb_oracle_grow(c->oracle) : FMB_OK;
 }
 
-/* Are most slots those of rows that are gone? */
+/* Do most slots belong to removed rows? */
 static bool has_many_spare_slots(const fmb_session *c)
 {
     size_t rows = fmb_system_rows(c->s);
     return c->oracle && c->program.m > 2 * rows + SPARE_SLOTS;
 }
 
-/* Columns of the program are variables by their numbers; rows over one that is gone are switched
- * off. */
+/* Has the number of variables changed? Columns of the program are variables by number. */
 static bool has_other_variables(const fmb_session *c)
 {
     return c->oracle && c->program.n != fmb_system_dim(c->s);
