@@ -1,7 +1,7 @@
 /* program.h: the rows of a linear program, sparse and in integers: a_i.x REL b_i, x free.
  *
  * Invariants: terms of a row are sorted by column, without zeros, and value holds `size`
- * coefficients, then the right side. Values are borrowed from whoever holds the rows, unless the
+ * coefficients, then the right side. Values are borrowed from the owner of the rows, unless the
  * program made them itself.
  */
 #ifndef FMB_LP_PROGRAM_H
@@ -14,7 +14,7 @@ typedef struct fmb_program_row {
     int *column;          /* [size], increasing */
     const fmb_vec *value; /* [size + 1] */
     fmb_rel rel;
-    bool off; /* left out for now */
+    bool off; /* switched off for now */
 } fmb_program_row;
 
 typedef struct fmb_program {
@@ -24,7 +24,7 @@ typedef struct fmb_program {
     fmb_program_row *row; /* [capacity] */
     size_t terms;         /* of all rows */
     bool any_strict;
-    fmb_vec **own; /* [own_capacity] values that the program made, or NULL; NULL: none at all */
+    fmb_vec **own; /* [own_capacity] values that the program made, or NULL; NULL: none */
     size_t own_capacity;
 } fmb_program;
 
@@ -32,21 +32,21 @@ typedef struct fmb_program {
 void fmb_program_init(fmb_program *p, fmb_mem *mem, int n);
 void fmb_program_clear(fmb_program *p);
 
-/* Append a row of `size` terms, variable var[k] standing in column place[var[k]] (NULL: in column
+/* Append a row of `size` terms, where variable var[k] is column place[var[k]] (NULL: column
  * var[k]); value[size + 1] is borrowed, var and place are not. Columns must increase. Errors:
  * MEMORY, LIMIT. */
 fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const int *place,
                            const fmb_vec *value, fmb_rel rel);
-/* The same, value copied and variables being columns. Errors: MEMORY, LIMIT. */
+/* The same with value copied, where variables are columns. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_add_copy(fmb_program *p, size_t size, const int *column,
                                 const fmb_vec *value, fmb_rel rel);
-/* Row i, which the program made itself, gets another right side. Errors: MEMORY, LIMIT. */
+/* Give row i, whose value the program made, another right side. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_set_right(fmb_program *p, size_t i, const mpz_t b);
-/* Append a row given densely, v[n + 1]: copied without its zeros. Errors: MEMORY, LIMIT. */
+/* Append a dense row v[n + 1]: copied without its zeros. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_add_dense(fmb_program *p, const fmb_vec *v, fmb_rel rel);
 
-/* Append a row of the program `from`, of fewer columns, and with coefficient 2^lift in the last
- * column here where it is strict: a.x + 2^lift t <= b. All relations become those of the closure.
+/* Append row i of the program `from`, which has fewer columns; a strict row gets the coefficient
+ * 2^lift in the last column: a.x + 2^lift t <= b. All relations become those of the closure.
  */
 fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from, size_t i,
                                         int lift);
@@ -61,7 +61,7 @@ static inline void fmb_program_get(const fmb_program *p, size_t i, size_t k, mpz
     fmb_vec_get(p->row[i].value, k, out);
 }
 
-/* Term k of row i as a double, k == size: its right side. Infinite where it is beyond doubles. */
+/* Term k of row i as a double, k == size: its right side. Infinite if beyond doubles. */
 double fmb_program_double(const fmb_program *p, size_t i, size_t k);
 
 #endif

@@ -1,4 +1,4 @@
-/* row.h: a row of a linear program, as it is given. */
+/* row.h: a row of a linear program as given by the caller. */
 #ifndef FMB_LP_ROW_H
 #define FMB_LP_ROW_H
 

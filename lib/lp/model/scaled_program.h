@@ -1,9 +1,8 @@
-/* scaled_program.h: a program in doubles: what a backend and those behind it see of it (backend.h).
+/* scaled_program.h: a program in doubles, as a backend and its files see it (backend.h).
  *
  * Row i is multiplied by a power of two, so that its largest coefficient is from 1/2 to 1 and
- * numbers beyond doubles fit; so is column j, where coefficients differ much: x_j = 2^-e x'_j, e
- * its exponent. Rows come in the order of the program; those that are off are there but do not
- * count.
+ * numbers beyond doubles fit; so is column j, if coefficients differ much: x_j = 2^-e x'_j, e its
+ * exponent. Rows are in the order of the program, including those that are off, which do not count.
  *
  * Source: Curtis and Reid 1972, On the automatic scaling of matrices for Gaussian elimination.
  */
@@ -13,7 +12,7 @@
 #include "lp/model/program.h"
 #include "trace/run.h"
 
-/* A place in a list that is not there. */
+/* The index of an absent list entry. */
 #define FMB_NOWHERE SIZE_MAX
 /* Members of a basis are rows of the program, or FMB_UNIT + j: the row x_j = 0. */
 #define FMB_UNIT (SIZE_MAX / 2)
@@ -21,36 +20,36 @@
 typedef struct fmb_scaled_program {
     fmb_run *run;
     const fmb_program *p;
-    size_t n, m;   /* columns; rows taken in so far */
+    size_t n, m;   /* columns; rows copied so far */
     size_t *start; /* [m + 1] where the terms of a row begin; their columns are the program's */
     double *value; /* [start[m]] */
-    double *right; /* [m] as it is now, scaled as its row */
-    int *exponent; /* [m] the row was divided by two to the power of that */
+    double *right; /* [m] the current ones, scaled like the rows */
+    int *exponent; /* [m] the row was divided by 2^exponent */
     int *column_exponent; /* [n] likewise */
     bool *off;            /* [m] */
     size_t start_room, value_room, right_room, exponent_room, off_room;
-    bool sharp; /* tolerances as tight as they go */
+    bool sharp; /* use the tightest tolerances */
 } fmb_scaled_program;
 
-/* The rows that the program has. In any case fmb_scaled_program_clear it. Errors: MEMORY, LIMIT. */
+/* Copy the rows of p. Errors: MEMORY, LIMIT; call fmb_scaled_program_clear even then. */
 fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fmb_program *p);
 void fmb_scaled_program_clear(fmb_scaled_program *f);
-/* Take in the rows that the program has by now. Errors: MEMORY, LIMIT. */
+/* Copy the rows that the program got since. Errors: MEMORY, LIMIT. */
 fmb_status fmb_scaled_program_grow(fmb_scaled_program *f);
-/* Right sides by other numbers, right[m], in the units of the program; NULL: the program's. */
+/* Use the right sides right[m], in the units of the program; NULL: the program's. */
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right);
-/* That of row i has changed in the program. */
+/* The right side of row i has changed in the program: copy it. */
 void fmb_scaled_program_shift_row(fmb_scaled_program *f, size_t i);
-/* Right sides of inequalities by less: `by` times the sum of |coefficients|. */
+/* Lower the right sides of inequalities by `by` times the sum of |coefficients|. */
 void fmb_scaled_program_move_in(fmb_scaled_program *f, double by);
-/* scaled[n] = cost[n] for these columns, the largest about 1. False: not all are finite. */
+/* scaled[n] = cost[n] for the scaled columns, the largest about 1. False: not all are finite. */
 bool fmb_scaled_program_scale_cost(const fmb_scaled_program *f, const double *cost, double *scaled);
 
 static inline const int *fmb_scaled_program_columns(const fmb_scaled_program *f, size_t i)
 {
     return f->p->row[i].column;
 }
-/* Were columns scaled, as coefficients differ much? */
+/* Are columns scaled, since coefficients differ much? */
 bool fmb_scaled_program_has_scaled_columns(const fmb_scaled_program *f);
 static inline bool fmb_scaled_program_is_equality(const fmb_scaled_program *f, size_t i)
 {

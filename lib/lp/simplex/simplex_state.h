@@ -1,7 +1,7 @@
-/* simplex_state.h: the state of the revised simplex method: a basis with its inverse, what the rows
- * have left there, and the multipliers of a cost.
+/* simplex_state.h: the state of the revised simplex method: a basis with its inverse, the slacks of
+ * the rows, and the multipliers of a cost.
  *
- * Invariants: slack = right - rows times the point, that of rows in the basis is about 0; y times
+ * Invariants: slack = right - rows times the point, which is about 0 for rows in the basis; y times
  * the basis is the cost.
  */
 #ifndef FMB_LP_SIMPLEX_STATE_H
@@ -10,14 +10,14 @@
 #include "lp/simplex/basis_inverse.h"
 #include "lp/simplex/columns.h"
 
-/* A pivot that is known with a larger share of error is none. */
+/* A pivot with a larger relative error is not used. */
 #define FMB_SIMPLEX_DOUBTFUL 1e-6
 
-/* What holds for the multiplier of a member, and what does for a row outside of the basis. */
+/* The condition on the multiplier of a member, or on a row outside of the basis. */
 typedef enum fmb_role {
     FMB_ROLE_LESS,  /* >= 0; the row is an inequality */
     FMB_ROLE_EQUAL, /* any sign; an equality */
-    FMB_ROLE_FREE   /* zero: a unit vector or a row that is off; a row inside of the basis */
+    FMB_ROLE_FREE   /* zero: a unit vector or a row that is off; a row in the basis */
 } fmb_role;
 
 typedef struct fmb_simplex_state {
@@ -31,69 +31,69 @@ typedef struct fmb_simplex_state {
     double *edge_weight;      /* [n] of Devex, for the primal method */
     uint8_t *member_role;     /* [n] */
     int *falling;             /* [n] scratch of the dual method: places */
-    double *right, *slack;    /* [m] right sides as they are now */
+    double *right, *slack;    /* [m] current right sides */
     double *row_weight;       /* [m] of Devex, for the dual method */
     uint8_t *row_role;        /* [m] */
-    int *violated;            /* [violations] of the dual method: rows that may be */
+    int *violated;            /* [violations] of the dual method: rows perhaps violated */
     bool *is_listed;          /* [m] among them */
     size_t violations;
     size_t right_room, slack_room, row_weight_room, row_role_room, violated_room, listed_room;
-    double nudge; /* the least multiplier that a row is given where the dual method stands still */
+    double nudge;             /* least multiplier given to a row if the dual method stalls */
     size_t steps, most_steps; /* so far; after which the primal method gives up */
     uint64_t random;
     bool placed;
-    bool feasible, moved; /* right sides are moved away from those of the scaled program */
+    bool feasible, moved; /* right sides differ from those of the scaled program */
 } fmb_simplex_state;
 
-/* At the unit vectors, before all rows that the scaled program has; the basis in factors or as
- * seems best. In any case fmb_simplex_state_clear it. Errors: MEMORY, LIMIT. */
+/* A basis of unit vectors, and all rows of the scaled program; in factors or whatever seems best.
+ * Errors: MEMORY, LIMIT. The caller must call fmb_simplex_state_clear even then. */
 fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors);
 void fmb_simplex_state_clear(fmb_simplex_state *o);
-/* Take in the rows that the scaled program has by now. Errors: MEMORY, LIMIT. */
+/* Copy the rows that the scaled program got since. Errors: MEMORY, LIMIT. */
 fmb_status fmb_simplex_state_grow(fmb_simplex_state *o);
 
-/* Take these members. Errors: MEMORY, LIMIT, here and below. */
+/* Use these members as the basis. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member);
-/* Slacks and multipliers from the basis alone, which is computed afresh where it is stale, or found
- * to be inexact. */
+/* Recompute slacks and multipliers from the basis, which is itself recomputed if it is stale, or
+ * found to be inexact. */
 fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o);
-/* The same, with the basis computed afresh in any case. */
+/* The same, with the basis recomputed always. */
 fmb_status fmb_simplex_state_renew(fmb_simplex_state *o);
-/* The point, into `edge`. */
+/* edge = the point. */
 void fmb_simplex_state_find_point(fmb_simplex_state *o);
-/* What row i is, inside or outside, on or off, has changed. */
+/* Set the role of row i as one outside of the basis, on or off. */
 void fmb_simplex_state_note_role(fmb_simplex_state *o, size_t i);
 
-/* Edge r, and the rates of the rows along it. */
+/* Compute edge r, and the rates of the rows along it. */
 void fmb_simplex_state_look_along(fmb_simplex_state *o, size_t r);
-/* Row i, written in the basis, takes place r, whose edge was looked along: the point goes there
- * until row i is tight. */
+/* Put row i, written in the basis, at place r, whose edge was computed: the point moves until row i
+ * is tight. */
 fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i);
-/* A row that is off leaves place r; the point goes to the nearest row that stops it, either way. */
+/* Replace a row that is off, at place r, by the nearest row along its edge, or a unit vector. */
 fmb_status fmb_simplex_state_expel(fmb_simplex_state *o, size_t r);
 
-/* The cost grows by this times the member at place r. */
+/* Add `part` times the member at place r to the cost. */
 void fmb_simplex_state_add_to_cost(fmb_simplex_state *o, size_t r, double part);
 
-/* Steps of a pivot (fmb_run_count). */
+/* Work of a pivot (fmb_run_count). */
 static inline size_t fmb_simplex_state_work(const fmb_simplex_state *o)
 {
     return 400 + 8 * (o->n + o->m) + 2 * fmb_indexed_vector_count(&o->rate);
 }
 
-/* Slacks that are less, for a right side of about 1, are none. */
+/* For a right side of about 1, smaller slacks count as zero. */
 static inline double fmb_simplex_state_tolerance(const fmb_simplex_state *o)
 {
     return o->f->sharp ? 1e-11 : 1e-9;
 }
-/* Row i was written, and edge r looked along: is their pivot not the same number both ways? Then
- * rounding errors are as large as it is. */
+/* With row i written and edge r computed: does their pivot differ between the two? Then its
+ * rounding errors are as large as the pivot. */
 static inline bool fmb_simplex_state_is_doubtful(const fmb_simplex_state *o, size_t r, size_t i)
 {
     double by_row = o->entry.at[r], by_edge = o->rate.at[i];
     return fabs(by_row - by_edge) > FMB_SIMPLEX_DOUBTFUL * fabs(by_edge);
 }
-/* From 1 to 2. */
+/* A random number from 1 to 2. */
 static inline double fmb_simplex_state_draw(fmb_simplex_state *o)
 {
     o->random = o->random * 6364136223846793005u + 1442695040888963407u;

@@ -1,7 +1,7 @@
-/* indexed_vector.h: a vector in doubles of which most may be zero, and the places where it is not.
+/* indexed_vector.h: a vector of doubles, many of which may be zero, with a list of its nonzeros.
  *
- * Invariant: either it is full, and every place counts; or at[k] is 0 but for k in index[0..count),
- * which are different. room > size: an index may be written behind the last one, and not counted.
+ * Invariant: either it is full, and every place counts; or at[k] is 0 except for k in index[count],
+ * which are distinct. room > size: an index may be written beyond the last one, uncounted.
  */
 #ifndef FMB_LP_INDEXED_VECTOR_H
 #define FMB_LP_INDEXED_VECTOR_H
@@ -19,19 +19,19 @@ typedef struct fmb_indexed_vector {
     bool full;
 } fmb_indexed_vector;
 
-/* size may grow later: nothing is kept but zeros. Errors: MEMORY, LIMIT. */
+/* Make room for size entries, all zero; size may grow later. Errors: MEMORY, LIMIT. */
 fmb_status fmb_indexed_vector_resize(fmb_indexed_vector *v, fmb_mem *mem, size_t size);
 void fmb_indexed_vector_free(fmb_indexed_vector *v, fmb_mem *mem);
 
-/* All zero again; full or not. */
+/* Set all entries to zero; the vector becomes full or sparse. */
 void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full);
-/* If most of a full one is zero, only what is not counts from now on. */
+/* If most entries of a full vector are zero, make it sparse. */
 void fmb_indexed_vector_make_sparse(fmb_indexed_vector *v);
 /* to -= factor v, to[v->size]. */
 void fmb_indexed_vector_subtract(const fmb_indexed_vector *v, double factor, double *to,
                                  const fmb_kernels *k);
 
-/* Places that count, and the t-th of them. */
+/* The number of places that count, and the t-th of them. */
 static inline size_t fmb_indexed_vector_count(const fmb_indexed_vector *v)
 {
     return v->full ? v->size : v->count;
@@ -41,11 +41,11 @@ static inline size_t fmb_indexed_vector_key(const fmb_indexed_vector *v, size_t 
     return v->full ? t : (size_t)v->index[t];
 }
 
-/* Less than this is nothing; half of it stands where numbers have cancelled, which stay in the
- * index. */
+/* Entries below this count as zero; half of it replaces entries that have cancelled to 0, which
+ * stay in the index. */
 #define FMB_NOTHING 1e-40
 
-/* Add x to place k of one that is not full. */
+/* Add x to entry k of a vector that is not full. */
 static inline void fmb_indexed_vector_add(fmb_indexed_vector *v, size_t k, double x)
 {
     double sum = v->at[k] + x;
@@ -54,7 +54,7 @@ static inline void fmb_indexed_vector_add(fmb_indexed_vector *v, size_t k, doubl
     v->at[k] = sum != 0 ? sum : FMB_NOTHING / 2;
 }
 
-/* Place k becomes x, likewise. */
+/* Set entry k of a vector that is not full to x. */
 static inline void fmb_indexed_vector_put(fmb_indexed_vector *v, size_t k, double x)
 {
     if (v->at[k] == 0)

@@ -1,9 +1,9 @@
-/* combination.h: a row as a combination of some others, exactly.
+/* combination.h: a row as an exact combination of some other rows.
  *
- * Which others is guessed; their factors are solved for modulo a prime, and lifted from there: at
- * once where Hadamard's bound says that no numerator or denominator is larger, else digit by digit
- * (Dixon 1982, Exact solution of linear equations using p-adic expansions), until fractions come
- * out that prove right in integers.
+ * The caller guesses these rows. Their factors are solved for modulo a prime and lifted: at once if
+ * Hadamard's bound shows that no numerator or denominator is larger, otherwise digit by digit
+ * (Dixon 1982, Exact solution of linear equations using p-adic expansions), until fractions are
+ * found that hold in integers.
  */
 #ifndef FMB_LP_COMBINATION_H
 #define FMB_LP_COMBINATION_H
@@ -25,28 +25,28 @@ typedef struct fmb_combination {
     mpz_t *part;         /* [n] */
     mpz_t all, left;
     /* Scratch. Equations are columns of the rows, unknowns the factors of the rows. */
-    fmb_run *run; /* that waits */
+    fmb_run *run; /* the query in progress */
     size_t i, equations, unknowns;
-    size_t *column;    /* [n] of each equation; those that determine the unknowns come first */
+    size_t *column;    /* [n] of each equation; first those that determine the unknowns */
     uint64_t *matrix;  /* [n][n + 1] modulo the prime: L and U, and the right side */
     uint64_t *inverse; /* [n] of the diagonal of U */
     uint64_t *digit;   /* [n] the solution modulo the prime; then its next digit */
     uint64_t *sum;     /* [n] */
-    mpz_t *rest;       /* [n] what the digits so far leave, over their power of the prime */
+    mpz_t *rest;       /* [n] residuals after the digits so far, over their power of q */
     mpz_t power, s, t, u, v;
     fmb_rational rational;
 } fmb_combination;
 
-/* row must outlive c. Errors: MEMORY, LIMIT. In any case fmb_combination_clear it. */
+/* row must outlive c. Errors: MEMORY, LIMIT; call fmb_combination_clear even then. */
 fmb_status fmb_combination_init(fmb_combination *c, fmb_mem *mem, size_t n, const fmb_lp_row *row);
 void fmb_combination_clear(fmb_combination *c);
 
-/* Write row i as a combination of these rows, size <= n; rows whose factor is 0 are left out.
- * *found false: there is none, or the rows depend on one another. Errors: LIMIT. */
+/* Write row i as a combination of the rows support[size], size <= n, without those whose factor is
+ * 0. *found false: there is none, or these rows are dependent. Errors: LIMIT. */
 fmb_status fmb_combine(fmb_combination *c, fmb_run *run, size_t i, const size_t *support,
                        size_t size, bool *found);
-/* Does what was found prove row i? A strict row takes a smaller right side, or a strict row among
- * the others; only equalities may have negative factors. */
+/* Does the combination found prove row i? A strict row needs a smaller right side, or a strict row
+ * among the others; only equalities may have negative factors. */
 bool fmb_combination_proves(const fmb_combination *c);
 
 #endif

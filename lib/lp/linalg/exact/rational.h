@@ -1,4 +1,4 @@
-/* rational.h: fractions from residues.
+/* rational.h: rational reconstruction from residues.
  *
  * Sources: Wang 1981, A p-adic algorithm for univariate partial fractions; Lehmer 1938, Euclid's
  * algorithm for large numbers.
@@ -19,8 +19,8 @@ void fmb_rational_init(fmb_rational *w);
 void fmb_rational_clear(fmb_rational *w);
 
 /* a / b = y modulo m, 0 <= y < m, in lowest terms with |a| < 2^a_bits and 0 < b < 2^b_bits; there
- * is at most one where a_bits + b_bits < the bits of m - 1. poll, unless it is NULL, is asked on
- * the way. False: none, or poll says so. */
+ * is at most one if a_bits + b_bits < the bits of m - 1. poll, unless NULL, is asked meanwhile.
+ * False: there is none, or poll has ended the search. */
 bool fmb_rational_find(fmb_rational *w, const mpz_t y, const mpz_t m, size_t a_bits, size_t b_bits,
                        mpz_t a, mpz_t b, const fmb_poll *poll);
 

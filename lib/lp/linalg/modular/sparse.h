@@ -1,6 +1,6 @@
 /* sparse.h: a square sparse matrix of integers, by rows.
  *
- * Entries that do not fit into int64 are borrowed from whoever holds them, as GMP numbers.
+ * Entries that do not fit into int64 are GMP numbers borrowed from their owners.
  */
 #ifndef FMB_LP_SPARSE_H
 #define FMB_LP_SPARSE_H
@@ -14,7 +14,7 @@ typedef struct fmb_sparse {
     size_t *start;   /* [n + 1] */
     int *index;      /* [start[n]] columns */
     int64_t *value;  /* [start[n]], |value| < 2^62; 0 where big */
-    mpz_srcptr *big; /* [start[n]], NULL where value tells; NULL: there are none */
+    mpz_srcptr *big; /* [start[n]], NULL where value holds; NULL: there are none */
     uint32_t *bits;  /* [n] the sum of |entries| of the row is < 2^bits */
     uint32_t bits_max;
 } fmb_sparse;
@@ -22,7 +22,7 @@ typedef struct fmb_sparse {
 /* The rows of a basis; see factor.h. Errors: MEMORY, LIMIT. */
 fmb_status fmb_sparse_gather(fmb_sparse *s, fmb_arena *arena, const fmb_program *p,
                              const size_t *basis);
-/* to: row k is row row_at[k] of s, and column j of s is column column_place[j]. */
+/* to: row k is row row_at[k] of s, and column j of s becomes column column_place[j]. */
 fmb_status fmb_sparse_permute(const fmb_sparse *s, fmb_arena *arena, const int *row_at,
                               const int *column_place, fmb_sparse *to);
 fmb_status fmb_sparse_transpose(const fmb_sparse *s, fmb_arena *arena, fmb_sparse *to);

@@ -1,7 +1,7 @@
 /* sweep.h: a triangular factor modulo p, by rows in the order of the pivots.
  *
- * Row k says v[k] = (v[k] - the sum of value[t] v[index[t]]) scale[k]. A lower factor has only
- * indices below k and is swept upwards, an upper one the other way.
+ * Row k is the step v[k] = (v[k] - the sum of value[t] v[index[t]]) scale[k]. A lower factor has
+ * only indices below k and is swept upwards, an upper factor the other way.
  */
 #ifndef FMB_LP_SWEEP_H
 #define FMB_LP_SWEEP_H
@@ -19,14 +19,14 @@ typedef struct fmb_sweep {
     bool down; /* an upper factor */
 } fmb_sweep;
 
-/* No rows yet; about `terms` will come. Errors: MEMORY, LIMIT. */
+/* No rows yet; about `terms` terms will come. Errors: MEMORY, LIMIT. */
 fmb_status fmb_sweep_open(fmb_sweep *w, fmb_arena *arena, size_t n, size_t terms, bool down);
-/* Room for so many terms in all. Errors: MEMORY, LIMIT. */
+/* Make room for so many terms in total. Errors: MEMORY, LIMIT. */
 fmb_status fmb_sweep_reserve(fmb_sweep *w, fmb_arena *arena, size_t terms);
 fmb_status fmb_sweep_transpose(const fmb_sweep *w, fmb_arena *arena, fmb_sweep *to);
 
-/* Which rows matter, where v is not 0 in the places reached[n] only: step lists those that do
- * something, in order; reached grows. Returns how many. */
+/* If v is nonzero only at places with reached[n], step[] lists the rows that change v, in order;
+ * reached is extended to the places that become nonzero. Returns the number of steps. */
 size_t fmb_sweep_reach(const fmb_sweep *w, bool *reached, int *step);
 void fmb_sweep_run(const fmb_sweep *w, const fmb_prime *q, const int *step, size_t steps,
                    uint64_t *v);

@@ -1,10 +1,10 @@
-/* membership.h: the membership program: how much must a hull be blown up until a point lies in it?
+/* membership.h: the membership program: by which factor must a hull be enlarged to contain a point?
  * In doubles: a guess.
  *
- * Points q_j of n numbers span a hull, together with the origin. The Minkowski
- * functional of a point q is the least sum of z >= 0 with sum_j z_j q_j = q; q lies in the hull if
- * that is 1 at most. By duality it is the greatest w.q of all w with w.q_j <= 1 for every j. A
- * basis of n points gives a vertex w of these; for another q the search goes on from there.
+ * Points q_j of n numbers span a hull, together with the origin. The Minkowski functional of a
+ * point q is the least sum of z >= 0 with sum_j z_j q_j = q; q is in the hull if that is at most 1.
+ * By duality it is the largest w.q of all w with w.q_j <= 1 for every j. A basis of n points gives
+ * a vertex w of these; the search for another q starts from there.
  */
 #ifndef FMB_LP_MEMBERSHIP_H
 #define FMB_LP_MEMBERSHIP_H
@@ -14,32 +14,32 @@
 
 typedef enum fmb_side_of_hull {
     FMB_HULL_NONE = 0, /* no answer: the search was stuck */
-    FMB_HULL_INSIDE,   /* value of the basic points: sum_r value[r] (point r) = q, sum <= 1 */
+    FMB_HULL_INSIDE,   /* values of the basic points: sum_r value[r] (point r) = q, sum <= 1 */
     FMB_HULL_OUTSIDE   /* way.q > 1, and way.q_j <= 1 for every point */
 } fmb_side_of_hull;
 
-/* So that there always is a vertex, w begins in the corner of a large cube: unit vectors, or their
- * mirror images, that each cost as much as `cube` points. */
+/* To have a vertex from the start, w begins in the corner of a large cube: unit vectors, or their
+ * negatives, each of which costs as much as `cube` points. */
 typedef struct fmb_membership {
     fmb_basis basis; /* of points */
     size_t n;
-    double cube;  /* |w_k| at first */
-    double zero;  /* values below 0 by no more are taken for 0 */
-    size_t *name; /* [name_room] whatever the caller calls a point */
+    double cube;  /* initial |w_k| */
+    double zero;  /* values between -zero and 0 count as 0 */
+    size_t *name; /* [name_room] the caller's number of each point */
     size_t name_room;
     double *w;      /* [n] the vertex */
-    double *way;    /* [n] that, or a point beyond if it may go on for ever; else scratch */
+    double *way;    /* [n] w, or a point beyond it on an unbounded edge; also scratch */
     bool is_broken; /* the vertex may be beyond the hyperplane of a point */
 } fmb_membership;
 
-/* No points, of n numbers. Errors: MEMORY, LIMIT. In any case fmb_membership_clear it. */
+/* No points, of n numbers. Errors: MEMORY, LIMIT; call fmb_membership_clear even then. */
 fmb_status fmb_membership_init(fmb_membership *g, fmb_mem *mem, const fmb_kernels *kernels,
                                size_t n, double cube);
 void fmb_membership_clear(fmb_membership *g);
 
 /* Add a point. Errors: MEMORY, LIMIT. */
 fmb_status fmb_membership_add(fmb_membership *g, const double *q, size_t name);
-/* Drop all points but those of the basis. */
+/* Remove all points that are not in the basis. */
 void fmb_membership_forget(fmb_membership *g);
 /* Take another cube; the search starts afresh. */
 void fmb_membership_resize_cube(fmb_membership *g, double cube);
