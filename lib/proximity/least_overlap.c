@@ -7,14 +7,13 @@
  * less than the depth: where M has an interior then its depth is the least of overlap / size.
  *
  * The coordinates of a normal are the minors of its D - 1 directions. They are made one direction
- * after the other, so that choices that begin alike share minors, in doubles first: only where
- * these do not tell that the overlap is larger than the least one known are whole numbers asked.
- *
- * How far doubles may be off is said in normal_search.h.
+ * after the other, so that choices that begin alike share minors, and only where doubles do not
+ * tell that the overlap is larger than the least one known (rough_overlap.c).
  */
 #include "proximity/least_overlap.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "num/vec.h"
 #include "proximity/normal_search.h"
@@ -36,11 +35,11 @@ void fmb_least_overlap_clear(fmb_least_overlap *x)
         mpz_clear(x->normal[j]);
 }
 
-static fmb_normal_direction *add_direction(fmb_normal_search *x, int side, int group)
+static fmb_normal_direction *add_direction(fmb_normal_search *x, int side, int group, int end)
 {
     fmb_normal_direction *d = &x->direction[x->directions];
     *d = (fmb_normal_direction){
-        .side = side, .group = group, .exact = x->cell + x->directions * x->m->dim};
+        .side = side, .group = group, .end = end, .exact = x->cell + x->directions * x->m->dim};
     x->directions++;
     return d;
 }
@@ -50,7 +49,7 @@ static void add_edges(fmb_normal_search *x, int side, int group)
 {
     const fmb_minkowski_frame *f = &x->m->frame[side];
     for (int i = group + 1; i <= f->naxes; i++) {
-        fmb_normal_direction *d = add_direction(x, side, group);
+        fmb_normal_direction *d = add_direction(x, side, group, i);
         for (int j = 0; j < x->m->dim; j++) {
             mpz_set(d->exact[j], f->row[i * x->m->dim + j]);
             if (group > 0)
@@ -70,12 +69,12 @@ static void add_directions(fmb_normal_search *x)
             add_edges(x, side, group);
     }
     x->of[2] = (fmb_normal_summand){x->m->moves, x->directions, false};
-    fmb_normal_direction *drift = x->m->moves ? add_direction(x, 2, 0) : NULL;
+    fmb_normal_direction *drift = x->m->moves ? add_direction(x, 2, 0, 1) : NULL;
     int ours = x->directions;
     for (int j = 0; j < x->m->dim; j++) {
         if (drift)
             mpz_set(drift->exact[j], x->m->drift[j]);
-        mpz_set_ui(add_direction(x, 3, 0)->exact[j], 1);
+        mpz_set_ui(add_direction(x, 3, 0, 1)->exact[j], 1);
         mpz_sub(x->away[j], x->m->frame[0].row[j], x->m->frame[1].row[j]);
     }
     x->directions = ours;
@@ -94,11 +93,10 @@ static fmb_status open_search(fmb_normal_search *x)
         return fmb_mem_status(x->mem);
     x->exact = x->cell + edges * dim;
     x->away = x->exact - dim;
-    x->best = INFINITY;
+    x->best = (fmb_normal_bounds){INFINITY, INFINITY};
     fmb_minkowski_shorten(x->m, x->unit);
     add_directions(x);
     fmb_normal_search_scale(x);
-    x->minor[0] = x->size[0] = 1;
     mpz_set_ui(x->exact[0], 1);
     return FMB_OK;
 }
@@ -120,23 +118,7 @@ static unsigned next_set(unsigned set)
 }
 
 /* All minors of one direction more, by Laplace expansion along it: their signs are right, or all of
- * them are wrong. */
-static void find_minors(fmb_normal_search *x, int level)
-{
-    const double *d = x->direction[x->chosen[level]].x;
-    for (unsigned set = (2U << level) - 1; set < 1U << x->m->dim; set = next_set(set)) {
-        double sum = 0, size = FMB_NORMAL_LEAST, sign = 1;
-        for (unsigned rest = set; rest != 0; rest &= rest - 1, sign = -sign) {
-            unsigned row = (unsigned)__builtin_ctz(rest), less = set & ~(1U << row);
-            sum += sign * d[row] * x->minor[less];
-            size += fabs(d[row]) * x->size[less];
-        }
-        x->minor[set] = sum;
-        x->size[set] = size;
-    }
-}
-
-/* The same in whole numbers. Are they all 0? */
+ * them are wrong. Are they all 0? */
 static bool find_exact_minors(fmb_normal_search *x, int level)
 {
     bool zero = true;
@@ -155,16 +137,13 @@ static bool find_exact_minors(fmb_normal_search *x, int level)
     return zero;
 }
 
-/* Does the direction chosen last depend on those before? */
-static bool is_dependent(fmb_normal_search *x, int level)
+/* Does the direction chosen last depend on those before? *told: doubles told of all so far. */
+static bool is_dependent(fmb_normal_search *x, int level, bool *told)
 {
     bool zero = false;
     x->known = x->known < level ? x->known : level;
-    find_minors(x, level);
-    for (unsigned set = (2U << level) - 1; set < 1U << x->m->dim; set = next_set(set))
-        if (fabs(x->minor[set]) > FMB_NORMAL_SHARE * x->size[set])
-            return false;
-    while (x->known <= level)
+    *told = *told && fmb_normal_is_independent(x, level);
+    while (!*told && x->known <= level)
         zero = find_exact_minors(x, x->known);
     return zero;
 }
@@ -246,12 +225,9 @@ static void swap_overlaps(fmb_least_overlap *a, fmb_least_overlap *b)
 
 /* ---- all normals ----------------------------------------------------------------------------- */
 
-/* The normal of dim - 1 directions, which are independent. */
-static fmb_status look_at_normal(fmb_normal_search *x, fmb_least_overlap *out)
+/* The normal of the choice at hand in whole numbers, beside the least one. */
+static fmb_status measure(fmb_normal_search *x, fmb_least_overlap *out)
 {
-    double bound;
-    if (fmb_normal_is_surely_more(x, &bound))
-        return FMB_OK;
     while (x->known < x->m->dim - 1)
         find_exact_minors(x, x->known);
     measure_overlap(x);
@@ -259,9 +235,43 @@ static fmb_status look_at_normal(fmb_normal_search *x, fmb_least_overlap *out)
     x->at.found = true;
     if (is_less(x, out)) {
         swap_overlaps(&x->at, out);
-        x->best = fmin(x->best, bound);
+        fmb_normal_search_take(x, out);
     }
     return fmb_run_poll(x->run);
+}
+
+/* The same for the choice that waits, if one does. */
+static fmb_status measure_waiting(fmb_normal_search *x, fmb_least_overlap *out)
+{
+    int chosen[FMB_NORMALS_MOST_DIM];
+    if (!x->waits)
+        return FMB_OK;
+    memcpy(chosen, x->chosen, sizeof chosen);
+    memcpy(x->chosen, x->waiting, sizeof chosen);
+    x->known = 0;
+    x->waits = false;
+    fmb_status st = measure(x, out);
+    memcpy(x->chosen, chosen, sizeof chosen);
+    x->known = 0;
+    return st;
+}
+
+/* The normal of dim - 1 directions, which are independent; told: doubles tell so. One that is
+ * surely less than the least waits until another is neither surely less nor more: so those which
+ * are the least for a while cost no whole numbers. */
+static fmb_status look_at_normal(fmb_normal_search *x, bool told, fmb_least_overlap *out)
+{
+    if (told && fmb_normal_is_surely_more(x))
+        return FMB_OK;
+    fmb_normal_bounds bounds = told ? fmb_normal_bound(x) : (fmb_normal_bounds){0, INFINITY};
+    if (bounds.low > 0 && bounds.high < x->best.low) {
+        x->best = bounds;
+        x->waits = true;
+        memcpy(x->waiting, x->chosen, sizeof x->waiting);
+        return FMB_OK;
+    }
+    FMB_TRY(measure_waiting(x, out));
+    return measure(x, out);
 }
 
 /* Is 0 known not to be inside of M? Then no other normal tells more. */
@@ -270,20 +280,22 @@ static bool is_on_boundary(const fmb_least_overlap *x)
     return x->found && mpz_sgn(x->overlap) <= 0;
 }
 
-/* All choices that go on from the first `level`. */
-static fmb_status choose(fmb_normal_search *x, int level, int from, fmb_least_overlap *out)
+/* All choices that go on from the first `level`; told: doubles tell that these are independent. */
+static fmb_status choose(fmb_normal_search *x, int level, int from, bool told,
+                         fmb_least_overlap *out)
 {
     fmb_status st = fmb_run_poll(x->run);
     if (level == x->m->dim - 1)
-        return st == FMB_OK ? look_at_normal(x, out) : st;
+        return st == FMB_OK ? look_at_normal(x, told, out) : st;
     const fmb_normal_direction *last = level > 0 ? &x->direction[x->chosen[level - 1]] : NULL;
     for (int i = from; st == FMB_OK && i < x->directions && !is_on_boundary(out); i++) {
         const fmb_normal_direction *next = &x->direction[i];
+        bool still = told;
         if (last && last->side == next->side && last->group != next->group)
             continue;
         x->chosen[level] = i;
-        if (!is_dependent(x, level))
-            st = choose(x, level + 1, i + 1, out);
+        if (!is_dependent(x, level, &still))
+            st = choose(x, level + 1, i + 1, still, out);
     }
     return st;
 }
@@ -315,7 +327,9 @@ fmb_status fmb_find_least_overlap(fmb_minkowski *m, fmb_norm norm, fmb_run *run,
 {
     fmb_normal_search x = {.m = m, .norm = norm, .run = run, .mem = m->mem};
     fmb_status st = open_search(&x);
-    FMB_THEN(st, choose(&x, 0, 0, out));
+    FMB_THEN(st, choose(&x, 0, 0, true, out));
+    if (st == FMB_OK && !is_on_boundary(out))
+        st = measure_waiting(&x, out);
     if (st == FMB_OK && !out->found)
         take_any_normal(&x, out);
     close_search(&x);

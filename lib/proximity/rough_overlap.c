@@ -1,9 +1,42 @@
-/* rough_overlap.c: what doubles tell of the overlap along a normal; see normal_search.h. */
+/* rough_overlap.c: what doubles tell of the overlap along a normal; see normal_search.h.
+ *
+ * Let X have the vectors of M as columns, and those of the unit matrix behind them, a row for each
+ * coordinate. Each direction that is chosen takes one row, the one where it is largest, from the
+ * others, as often as it is 0 in them then. So what is left are sums of rows which are 0 along all
+ * directions chosen: after D - 1 of them one row y, the normal, with its products with each vector
+ * in the columns of those, and y itself in the last ones. Rows and columns are scaled by powers of
+ * 2 so that no number is larger than 1: what a coordinate is divided by its normal is multiplied
+ * by.
+ *
+ * Let u = 2^-52, and in each row no number be larger than `most`, and none off by more than `off`.
+ * The numbers v_r of a direction, a column or a difference of two, are off by f_r. As row p is
+ * where v is largest, a row r loses m = v_r / v_p times row p, |m| <= 1, and with v' and m' exact
+ *
+ *     |m - m'| <= |v_r v_p' - v_r' v_p| / |v_p v_p'| + u <= (f_r + |m| f_p) / (|v_p| - f_p) + u.
+ *
+ * Hence x_r - m x_p is off by off_r + |m| off_p + |m - m'| (most_p + off_p), by the rounding, at
+ * most u (most_r + 2 |m| most_p), and by what is lost where doubles end. FMB_NORMAL_ROUNDING is 2 u
+ * and leaves far more than these bounds are rounded by. Where |v_p| > f_p the exact one is not 0,
+ * and the direction does not depend on those before it.
+ */
+#include <limits.h>
 #include <math.h>
 
 #include "proximity/normal_search.h"
 
-#define ABOVE (1 + 0x1p-40)
+#define FMB_NORMAL_ROUNDING 0x1p-51
+#define ABOVE               (1 + 0x1p-40)
+#define BELOW               (1 - 0x1p-40)
+#define LEAST               0x1p-1000 /* far above what is lost where doubles end */
+
+enum {
+    MOST = FMB_NORMALS_MOST_DIM,
+    DRIFT = 2 * MOST,
+    AWAY,
+    VECTORS, /* columns of vectors; those of coordinates follow */
+    LONGEST =
+        900 /* the largest length of a vector is this power of 2: far smaller ones are there */
+};
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
@@ -18,129 +51,214 @@ static void shorten(fmb_normal_search *x, fmb_normal_direction *d)
         mpz_tdiv_q_2exp(d->exact[j], d->exact[j], d->power);
 }
 
-static size_t most_bits(mpz_t *v, int dim)
-{
-    size_t most = 1;
-    for (int j = 0; j < dim; j++) {
-        size_t bits = mpz_sizeinbase(v[j], 2);
-        most = bits > most ? bits : most;
-    }
-    return most;
-}
-
 /* 0 where doubles end */
 static double power_of_two(long exponent)
 {
-    return exponent < -1100 ? 0 : ldexp(1, (int)exponent);
+    return exponent < -1100 ? 0 : exponent > 1023 ? INFINITY : ldexp(1, (int)exponent);
 }
 
-static double scaled(const mpz_t z, size_t top)
+/* x 2^power; of 0 x = 0. */
+typedef struct mantissa {
+    double x;
+    long power;
+} mantissa;
+
+static void read_vector(const fmb_normal_search *x, mpz_t *v, mp_bitcnt_t power,
+                        mantissa row[MOST][VECTORS], int column)
 {
-    long exponent;
-    double x = mpz_get_d_2exp(&exponent, z);
-    return x * power_of_two(exponent - (long)top);
+    for (int j = 0; j < x->m->dim; j++) {
+        row[j][column].x = mpz_get_d_2exp(&row[j][column].power, v[j]);
+        row[j][column].power += (long)power;
+    }
+}
+
+static void read_vectors(fmb_normal_search *x, mantissa row[MOST][VECTORS])
+{
+    for (int i = 0; i < x->directions; i++) {
+        fmb_normal_direction *d = &x->direction[i];
+        int first = d->side * MOST;
+        shorten(x, d);
+        d->from = d->group == 0 ? -1 : first + d->group - 1;
+        d->to = first + d->end - 1;
+        if (d->group == 0)
+            read_vector(x, d->exact, d->power, row, d->to);
+    }
+    read_vector(x, x->away, 0, row, AWAY);
+}
+
+/* The largest power of n numbers that are `step` apart. */
+static long top_power(const mantissa *x, int n, int step)
+{
+    long top = LONG_MIN;
+    for (int i = 0; i < n; i++)
+        top = x[i * step].x != 0 && x[i * step].power > top ? x[i * step].power : top;
+    return top == LONG_MIN ? 0 : top;
+}
+
+/* Rows by directions alone. */
+static void scale_rows(fmb_normal_search *x, mantissa row[MOST][VECTORS])
+{
+    long top[MOST], finest = LONG_MAX;
+    for (int j = 0; j < x->m->dim; j++) {
+        top[j] = top_power(row[j], AWAY, 1);
+        for (int c = 0; c < VECTORS; c++)
+            row[j][c].power -= top[j];
+        top[j] += (long)x->unit[j];
+        finest = top[j] < finest ? top[j] : finest;
+        x->coarsest = x->unit[j] > x->coarsest ? x->unit[j] : x->coarsest;
+    }
+    for (int j = 0; j < x->m->dim; j++)
+        x->share[j] = power_of_two(finest - top[j]);
+    x->scale += finest;
+}
+
+static void scale_columns(fmb_normal_search *x, mantissa row[MOST][VECTORS])
+{
+    long power[VECTORS], top = LONG_MIN;
+    for (int c = 0; c < VECTORS; c++) {
+        power[c] = top_power(&row[0][c], x->m->dim, VECTORS);
+        top = power[c] > top ? power[c] : top;
+    }
+    x->scale += top - LONGEST;
+    for (int c = 0; c < VECTORS; c++) {
+        x->length[c] = power_of_two(power[c] - top + LONGEST);
+        for (int j = 0; j < x->m->dim; j++)
+            x->rest[0].x[j][c] = row[j][c].x * power_of_two(row[j][c].power - power[c]);
+    }
 }
 
 void fmb_normal_search_scale(fmb_normal_search *x)
 {
-    int dim = x->m->dim;
-    size_t bits[FMB_NORMAL_MOST_DIRECTIONS], top = most_bits(x->away, dim);
-    mp_bitcnt_t finest = x->unit[0];
-    for (int j = 0; j < dim; j++) {
-        x->coarsest = x->unit[j] > x->coarsest ? x->unit[j] : x->coarsest;
-        finest = x->unit[j] < finest ? x->unit[j] : finest;
+    mantissa row[MOST][VECTORS] = {0};
+    fmb_normal_rest *rest = &x->rest[0];
+    read_vectors(x, row);
+    scale_rows(x, row);
+    scale_columns(x, row);
+    for (int j = 0; j < x->m->dim; j++) {
+        for (int c = 0; c < MOST; c++)
+            rest->x[j][VECTORS + c] = c == j;
+        rest->most[j] = 1;
+        rest->off[j] = FMB_NORMAL_ROUNDING;
     }
-    for (int i = 0; i < x->directions; i++) {
-        shorten(x, &x->direction[i]);
-        bits[i] = most_bits(x->direction[i].exact, dim);
-        if (bits[i] + x->direction[i].power > top)
-            top = bits[i] + x->direction[i].power;
+}
+
+void fmb_normal_search_take(fmb_normal_search *x, const fmb_least_overlap *least)
+{
+    long power, half;
+    double overlap = mpz_get_d_2exp(&power, least->overlap);
+    double size = mpz_get_d_2exp(&half, least->size);
+    if (x->norm == FMB_NORM_EUCLIDEAN) {
+        size = sqrt(half & 1 ? 2 * size : size);
+        half = (half - (half & 1)) / 2;
     }
-    for (int j = 0; j < dim; j++) {
-        x->near[j] = scaled(x->away[j], top);
-        x->weight[j] = fabs(x->near[j]);
-        x->share[j] = power_of_two((long)finest - (long)x->unit[j]);
+    double best = overlap / size * power_of_two(power - half - x->scale);
+    x->best = (fmb_normal_bounds){best * BELOW - LEAST, best * ABOVE + LEAST};
+}
+
+/* ---- directions ------------------------------------------------------------------------------ */
+
+/* Numbers of a direction, and what they may be off by, with so many chosen. */
+static void find_direction(const fmb_normal_search *x, int chosen, const fmb_normal_direction *d,
+                           double *v, double *off)
+{
+    const fmb_normal_rest *rest = &x->rest[chosen];
+    bool edge = d->from >= 0;
+    int from = edge ? d->from : d->to;
+    double longer = fmax(x->length[d->to], x->length[from]);
+    double plus = edge ? x->length[d->to] / longer : 1, minus = edge ? x->length[from] / longer : 0;
+    for (int r = 0; r < x->m->dim - chosen; r++) {
+        v[r] = plus * rest->x[r][d->to] - minus * rest->x[r][from];
+        off[r] = edge ? 2 * rest->off[r] + FMB_NORMAL_ROUNDING * 2 * rest->most[r] : rest->off[r];
     }
-    for (fmb_normal_direction *d = x->direction; d < x->direction + x->directions; d++) {
-        size_t most = bits[d - x->direction];
-        d->length = power_of_two((long)(most + d->power) - (long)top);
-        for (int j = 0; j < dim; j++) {
-            d->x[j] = scaled(d->exact[j], most);
-            x->weight[j] += d->group == 0 ? d->length * fabs(d->x[j]) : 0;
-        }
+}
+
+static void clear_row(double *restrict to, const double *row, const double *pivot, double times)
+{
+    for (int c = 0; c < FMB_NORMAL_COLUMNS; c++)
+        to[c] = row[c] - times * pivot[c];
+}
+
+bool fmb_normal_is_independent(fmb_normal_search *x, int chosen)
+{
+    const fmb_normal_rest *old = &x->rest[chosen];
+    fmb_normal_rest *rest = &x->rest[chosen + 1];
+    double v[MOST] = {0}, off[MOST] = {0};
+    int p = 0, rows = x->m->dim - chosen;
+    find_direction(x, chosen, &x->direction[x->chosen[chosen]], v, off);
+    for (int r = 1; r < rows; r++)
+        p = fabs(v[r]) > fabs(v[p]) ? r : p;
+    double sure = fabs(v[p]) - off[p];
+    if (!(sure > 0x1p-40 * off[p]))
+        return false;
+    double inverse = 1 / sure;
+    for (int r = 0, to = 0; r < rows; r++) {
+        if (r == p)
+            continue;
+        double times = v[r] / v[p], size = fabs(times);
+        double wrong = (off[r] + size * off[p]) * inverse + FMB_NORMAL_ROUNDING;
+        clear_row(rest->x[to], old->x[r], old->x[p], times);
+        rest->most[to] = old->most[r] + size * old->most[p] + LEAST;
+        rest->off[to] = old->off[r] + size * old->off[p] + wrong * (old->most[p] + old->off[p]) +
+                        FMB_NORMAL_ROUNDING * 2 * rest->most[to];
+        to++;
     }
+    return true;
 }
 
 /* ---- overlaps -------------------------------------------------------------------------------- */
 
-/* Coordinates beyond those of the space are 0. */
-static double along(const double *n, const double *v)
+/* What comes with `axes` columns along sign times the normal, if each product is larger by `off`:
+ * of sums all that is positive, of a simplex the largest. So with an `off` below 0 what is surely
+ * negative, or 0, is exactly nothing. */
+static double end_of(const fmb_normal_search *x, const fmb_normal_summand *f, double sign,
+                     double off)
 {
-    double sum[2] = {0, 0};
-    for (int j = 0; j < FMB_NORMALS_MOST_DIM; j += 2) {
-        sum[0] += n[j] * v[j];
-        sum[1] += n[j + 1] * v[j + 1];
+    const double *y = x->rest[x->m->dim - 1].x[0];
+    int first = (int)(f - x->of) * MOST;
+    double sum = 0, most = 0;
+    for (int c = first; c < first + f->axes; c++) {
+        double at = (sign * y[c] + off) * x->length[c];
+        at = at > 0 ? at : 0;
+        most = at > most ? at : most;
+        sum += at;
     }
-    return sum[0] + sum[1];
+    return f->simplex ? most : sum;
 }
 
-/* What M spans along n. */
-static void find_ends(const fmb_normal_search *x, const double *n, double end[2])
+/* How far M reaches along sign times the normal, and no more (up = 1) or no less (-1) than that.
+ * Less than 20 numbers are summed. */
+static double reach_of(const fmb_normal_search *x, double sign, double up)
 {
-    end[0] = end[1] = along(n, x->near);
-    for (const fmb_normal_summand *f = x->of; f < x->of + 3; f++) {
-        double span[2] = {0, 0};
-        for (int i = 0; i < f->axes; i++) {
-            const fmb_normal_direction *d = &x->direction[f->first + i];
-            double at = along(n, d->x) * d->length, *most = &span[at > 0];
-            *most = !f->simplex ? *most + at : fabs(at) > fabs(*most) ? at : *most;
-        }
-        end[0] += span[0];
-        end[1] += span[1];
-    }
+    const fmb_normal_rest *rest = &x->rest[x->m->dim - 1];
+    double off = up * rest->off[0], away = (sign * rest->x[0][AWAY] + off) * x->length[AWAY];
+    double end = end_of(x, &x->of[0], sign, off) + end_of(x, &x->of[1], sign, off) +
+                 end_of(x, &x->of[2], sign, off);
+    return end + away + up * (32 * FMB_NORMAL_ROUNDING * (end + fabs(away)) + LEAST);
 }
 
-/* The length of n >= 0: of a minor as small as 2^-944 (FMB_NORMAL_SHARE times FMB_NORMAL_LEAST) the
- * square would be lost.
- */
-static double length_of_doubles(const double *n, int dim)
+/* No less (up = 1) or no more (-1) than the size of the normal. Of numbers of 2^-51 and more no
+ * square that counts is lost. */
+static double size_of(const fmb_normal_search *x, double up)
 {
-    double top = 0, sum = 0;
-    int exponent;
-    for (int j = 0; j < dim; j++)
-        top = fmax(top, n[j]);
-    (void)frexp(top, &exponent);
-    for (int j = 0; j < dim; j++) {
-        double part = ldexp(n[j], -exponent);
-        sum += part * part;
-    }
-    return ldexp(sqrt(sum), exponent);
-}
-
-static double size_of_doubles(const fmb_normal_search *x, const double *n)
-{
+    const fmb_normal_rest *rest = &x->rest[x->m->dim - 1];
     double sum = 0;
-    if (x->norm == FMB_NORM_EUCLIDEAN)
-        return length_of_doubles(n, x->m->dim);
-    for (int j = 0; j < x->m->dim; j++)
-        sum += n[j];
-    return sum;
+    for (int j = 0; j < x->m->dim; j++) {
+        double size = fabs(rest->x[0][VECTORS + j]) + up * rest->off[0];
+        size = size > 0 ? size * x->share[j] : 0;
+        sum += x->norm == FMB_NORM_EUCLIDEAN ? size * size : size;
+    }
+    return (x->norm == FMB_NORM_EUCLIDEAN ? sqrt(sum) : sum) * (up > 0 ? ABOVE : BELOW);
 }
 
-bool fmb_normal_is_surely_more(const fmb_normal_search *x, double *bound)
+bool fmb_normal_is_surely_more(const fmb_normal_search *x)
 {
-    int dim = x->m->dim, all = (1 << dim) - 1;
-    double n[FMB_NORMALS_MOST_DIM] = {0}, up[FMB_NORMALS_MOST_DIM], down[FMB_NORMALS_MOST_DIM],
-           end[2], off = FMB_NORMAL_LEAST;
-    for (int j = 0; j < dim; j++) {
-        double fuzz = FMB_NORMAL_SHARE * x->size[all & ~(1 << j)];
-        n[j] = (j & 1 ? -1 : 1) * x->minor[all & ~(1 << j)];
-        up[j] = (fabs(n[j]) + fuzz) * x->share[j];
-        down[j] = fmax(fabs(n[j]) - fuzz, 0) * x->share[j];
-        off += 2 * fuzz * x->weight[j];
-    }
-    find_ends(x, n, end);
-    double overlap = fmin(end[1], -end[0]);
-    *bound = ABOVE * (fmax(overlap, 0) + off) / size_of_doubles(x, down);
-    return overlap - off > x->best * size_of_doubles(x, up);
+    double beyond = x->best.high * size_of(x, 1);
+    return reach_of(x, 1, -1) > beyond && reach_of(x, -1, -1) > beyond;
+}
+
+fmb_normal_bounds fmb_normal_bound(const fmb_normal_search *x)
+{
+    double low = fmin(reach_of(x, 1, -1), reach_of(x, -1, -1));
+    double high = fmin(reach_of(x, 1, 1), reach_of(x, -1, 1));
+    return (fmb_normal_bounds){low * BELOW / size_of(x, 1) - LEAST, high * ABOVE / size_of(x, -1)};
 }
