@@ -1,5 +1,5 @@
-/* cancel.c: the one operation on rows that everything is made of: combine two vectors so that an
- * entry vanishes. Three widths, one formula; see vec.h.
+/* cancel.c: the basic operation on rows: combine two vectors so that an entry vanishes. Three
+ * widths of numbers, one formula; see vec.h.
  */
 #include "num/gcd.h"
 #include "num/vec.h"
@@ -23,7 +23,7 @@ static fmb_status store_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all
     return fmb_vec_settle(dst, n, k->mem);
 }
 
-/* As fmb_gcd64, until both fit. */
+/* By shifts and subtractions until both numbers fit into 64 bits, then fmb_gcd64. */
 static fmb_u128 gcd_of_128_bits(fmb_u128 a, fmb_u128 b)
 {
     if (fmb_u128_is_zero(a) || fmb_u128_is_zero(b))
@@ -99,9 +99,9 @@ static bool is_long(const mpz_t z)
     return mpz_sizeinbase(z, 2) > FMB_LONG_BITS;
 }
 
-/* dst = p a + q b with p and q as k has them. Long products are written beside dst, which stays as
- * it was where that is broken off; entry i is read before it is written in any case, as dst may be
- * a. */
+/* dst = p a + q b, with p and q in k. dst may be a, so entry i is read before it is written. Long
+ * results are written to other memory first, so that dst is unchanged if the operation is cut off
+ * by poll or memory. */
 static fmb_status combine_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
                                  fmb_num *k)
 {

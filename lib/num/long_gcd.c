@@ -1,21 +1,21 @@
-/* long_gcd.c: greatest common divisors that somebody may wait for; see gcd.h.
+/* long_gcd.c: greatest common divisors of long integers, with a poll; see gcd.h.
  *
- * Euclid's quotients depend on the leading bits: those of the leading halves of two numbers, as
- * long as the halves are longer than half of what they were, are quotients of the numbers. So a
- * matrix of a quarter of the bits is found in half of them, by recursion; two such, the second in
- * what the first leaves, make the two numbers half as long (half-gcd). Short pieces go by machine
- * words.
+ * Euclid's quotients depend on the leading bits: those of the leading halves of two numbers are
+ * quotients of the numbers as long as the remainders are longer than half of these halves. So a
+ * matrix with entries of a quarter of the bits is found from half of them, by recursion; two such
+ * matrices, the second from what the first leaves, halve the two numbers (half-gcd). Short pieces
+ * use words.
  *
- * CLAIM. Whatever matrices are found in the halves, the result is right, and there is one.
+ * CLAIM. Whatever matrices are found from the halves, the result is right, and there is one.
  *
- * A matrix is a product of swaps, changes of sign, and of steps by which a multiple of one number
- * is subtracted from the other: it is one of integers whose determinant is 1 or -1, and so both
- * numbers and what it makes of them have the same divisors. What it makes of them is taken only if
- * that is shorter, and each round has a division by the smaller number: so it ends. END
+ * A matrix is a product of swaps, sign changes, and subtractions of a multiple of one number from
+ * the other: its entries are integers and its determinant is 1 or -1, so the pair of numbers and
+ * its product with the matrix have the same common divisors. The product is used only if it is
+ * shorter, and each round divides by the smaller number: so it ends. END
  *
- * Nothing else is promised of a matrix, so quotients near the end of a half need no correction:
- * some of them are not those of the numbers, which costs a few bits. Only the matrix comes back
- * from a half. What is between its two parts is computed in the bits that the second part reads.
+ * As nothing else is required of a matrix, quotients near the end of a half need no correction:
+ * some are not those of the numbers, which costs a few bits. A half returns only its matrix; the
+ * remainders between its two parts are computed to the precision that the second part needs.
  *
  * Source: Moeller 2008, On Schoenhage's algorithm and subquadratic integer gcd computation,
  * Mathematics of Computation 77; Lehmer 1938 for the words.
@@ -28,18 +28,18 @@
 
 #include "num/word.h"
 
-/* So many bits go word by word, and so many take milliseconds. */
+/* Numbers of at most this many bits are halved word by word; longer ones than MOMENT_BITS poll. */
 #define WORDWISE_BITS ((size_t)3072)
 #define MOMENT_BITS   ((size_t)1 << 17)
-/* What leading words know [bits], and how many of them quotients use up at most. */
+/* Bits of a leading word, and how many of them the quotients use up at most. */
 #define WORD_BITS 62
 #define STEP_BITS 31
-/* What a product modulo a power of two may be longer than foreseen. */
+/* Bits by which a product modulo a power of two may be longer than estimated. */
 #define SPARE_BITS 64
-/* Of the numbers, one in so many bits is a piece whose matrix is found at a time. */
+/* A matrix is found from the leading 1 / PIECES of the bits at a time. */
 #define PIECES 3
 
-/* row[0] and row[1], times a pair of numbers, make another pair. */
+/* A matrix that maps a pair of numbers to another pair. */
 typedef struct transform {
     mpz_t at[2][2];
 } transform;
@@ -89,7 +89,7 @@ static void swap_rows(transform *m)
     mpz_swap(m->at[0][1], m->at[1][1]);
 }
 
-/* a >= b >= 0 in place of what a step made of them. */
+/* After a step: make a and b nonnegative and sort them, a >= b >= 0; m changes accordingly. */
 static void put_in_order(transform *m, mpz_t a, mpz_t b)
 {
     if (mpz_sgn(a) < 0) {
@@ -106,7 +106,7 @@ static void put_in_order(transform *m, mpz_t a, mpz_t b)
     }
 }
 
-/* One of Euclid's steps, whatever its quotient; b > 0. */
+/* One step of Euclid's algorithm, with a quotient of any length; b > 0. */
 static void divide_once(half_gcd *h, transform *m, mpz_t a, mpz_t b)
 {
     mpz_tdiv_qr(h->s[0], a, a, b);
@@ -118,16 +118,16 @@ static void divide_once(half_gcd *h, transform *m, mpz_t a, mpz_t b)
 
 /* ---- words ----------------------------------------------------------------------------------- */
 
-/* Sizes of the entries of a matrix of words, whose signs alternate: + in the corner at 0, 0 if
- * even.
+/* Absolute values of the entries of a matrix of words; signs alternate, and at[0][0] is positive
+ * unless `odd`.
  */
 typedef struct word_matrix {
     uint32_t at[2][2];
     bool odd;
 } word_matrix;
 
-/* From leading bits x >= y, x < 2^62. While y >= 2^31, an entry is at most 2^62 / 2^31, as the
- * bits are its product with one of the next pair, and more. False: no step. */
+/* The matrix of the quotients of leading words x >= y, x < 2^62. While y >= 2^31, an entry is at
+ * most 2^62 / 2^31, as x is at least an entry times a later remainder. False: no step. */
 static bool step_through_words(word_matrix *w, uint64_t x, uint64_t y)
 {
     uint64_t m[2][2] = {{1, 0}, {0, 1}};
@@ -165,14 +165,14 @@ static void multiply_by_words(half_gcd *h, const word_matrix *w, mpz_t x, mpz_t 
     mpz_swap(y, v);
 }
 
-/* The leading bits of z, of which there are more, as a word. */
+/* The bits of z above `cut`, which fit into a word. */
 static uint64_t leading_word(half_gcd *h, const mpz_t z, size_t cut)
 {
     mpz_tdiv_q_2exp(h->s[0], z, cut);
     return fmb_integer_low(h->s[0]);
 }
 
-/* a >= b >= 0 become half as long, nearly; m is the matrix by which they did. */
+/* Nearly halve the length of a >= b >= 0; m is multiplied by the matrix of these steps. */
 static void halve_wordwise(half_gcd *h, transform *m, mpz_t a, mpz_t b)
 {
     const size_t half = bits_of(a) / 2 + STEP_BITS;
@@ -208,8 +208,8 @@ static void combine(mpz_t to, const mpz_t p, const mpz_t x, const mpz_t q, const
     mpz_addmul(to, q, y);
 }
 
-/* (a, b) becomes its product with the matrix, modulo 2^bits (0: not so). After an error
- * neither is of use. */
+/* (a, b) becomes its product with the matrix, modulo 2^bits unless bits is 0. After an error a and
+ * b are undefined. */
 static fmb_status multiply_pair(half_gcd *h, const transform *m, mpz_t a, mpz_t b, size_t bits)
 {
     if (bits > 0) {
@@ -237,7 +237,7 @@ static fmb_status multiply_matrix(half_gcd *h, const transform *by, transform *m
 
 static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b);
 
-/* m becomes its product with the matrix of the leading bits of a and b behind `cut` of them. */
+/* m becomes its product with the matrix of the bits of a and b above `cut`. */
 static fmb_status halve_leading_bits(half_gcd *h, transform *m, const mpz_t a, const mpz_t b,
                                      size_t cut)
 {
@@ -254,11 +254,11 @@ static fmb_status halve_leading_bits(half_gcd *h, transform *m, const mpz_t a, c
     return st;
 }
 
-/* The matrix m, 1 at first, that makes a >= b >= 0 half as long, nearly. Both are used up.
+/* The matrix m, initially 1, that nearly halves the length of a >= b >= 0. Both are used up.
  *
- * The first half tells the leading bits of what it makes of a and b: the longest entry of its
- * matrix has t bits, so n/2 - t are left of n/2, and what the bits behind the half add has t more
- * than those. So it needs not be computed beyond that, and a few bits for good measure. */
+ * The matrix of the leading n/2 bits has entries of at most t bits, so n/2 - t of these bits
+ * remain, and the lower bits times the matrix are t bits longer than they were. So the product of a
+ * and b with it is computed modulo that power of two, with a few bits to spare. */
 static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b)
 {
     const size_t n = bits_of(a), half = n / 2;
@@ -281,7 +281,7 @@ static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b)
 
 /* ---- rounds ---------------------------------------------------------------------------------- */
 
-/* a >= b > 0 of the same divisors, shorter ones. */
+/* Replace a >= b > 0 by shorter numbers with the same common divisors. */
 static fmb_status shorten(half_gcd *h, mpz_t a, mpz_t b)
 {
     transform m;
@@ -344,8 +344,8 @@ fmb_status fmb_long_gcd(mpz_t out, const mpz_t a, const mpz_t b, const fmb_poll 
     return st;
 }
 
-/* The denominator has nothing in common with the numerator, nor has by, once what they share is out
- * of both. */
+/* The denominator of x is coprime to its numerator, and so is `by` after division of both by their
+ * common divisor. */
 fmb_status fmb_long_divide(mpq_t x, const mpz_t by, const fmb_poll *poll)
 {
     mpz_t common, rest;

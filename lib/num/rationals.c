@@ -7,7 +7,7 @@
 
 #include "num/word.h"
 
-/* What malloc takes for the limb of a denominator 1. */
+/* Bytes that malloc takes for the limb of a denominator 1. */
 #define FIRST_LIMB ((size_t)32)
 
 fmb_status fmb_rationals_new(mpq_t **out, size_t n, fmb_mem *mem)
@@ -34,9 +34,9 @@ void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem)
     fmb_mem_put(mem, x, n, sizeof *x);
 }
 
-enum { LEAST_EXPONENT = -1074, MOST_EXPONENT = 1024 }; /* 2 to these is a double, is none */
+enum { LEAST_EXPONENT = -1074, MOST_EXPONENT = 1024 }; /* 2^LEAST is a double, 2^MOST is none */
 
-/* |q| = m 2^e, but that the last bit of m, of 57 bits or more, stands for all that follow. */
+/* |q| = m 2^e, except that the last bit of m, of at least 57 bits, is set if any later bit is. */
 static uint64_t first_bits(mpq_srcptr q, long *e)
 {
     const long up =
@@ -56,8 +56,8 @@ static uint64_t first_bits(mpq_srcptr q, long *e)
     return bits;
 }
 
-/* The double nearest to q, the even one of two, and of what is beyond them the largest, or what
- * mpq_get_d has for it. */
+/* Of two nearest doubles the even one; beyond the largest double that one, or what mpq_get_d
+ * gives. */
 double fmb_nearest_double(mpq_srcptr q)
 {
     long e;
@@ -65,7 +65,7 @@ double fmb_nearest_double(mpq_srcptr q)
         return 0;
     const uint64_t m = first_bits(q, &e);
     const int length = 64 - __builtin_clzll(m);
-    const long room = length + e - LEAST_EXPONENT; /* bits of doubles of that size */
+    const long room = length + e - LEAST_EXPONENT; /* mantissa bits of doubles of that size */
     if (length + e > MOST_EXPONENT)
         return mpq_get_d(q);
     if (room < 0)
@@ -78,9 +78,9 @@ double fmb_nearest_double(mpq_srcptr q)
     return mpq_sgn(q) < 0 ? -x : x;
 }
 
-/* A division is rounded once, so its quotient is the nearest double if both sides are doubles; and
- * by a power of two, which den is as a double then, it is exact, and num has been rounded once. No
- * such quotient is too small for that: den is less than 2^63. */
+/* If both are doubles, their quotient is rounded once, so it is the nearest double. If den is a
+ * power of two, thus a double, dividing by it is exact, and num has been rounded once. As den <
+ * 2^63, no such quotient underflows. */
 bool fmb_nearest_quotient(int64_t num, int64_t den, double *out)
 {
     const int64_t most = (int64_t)1 << 53;
@@ -91,13 +91,13 @@ bool fmb_nearest_quotient(int64_t num, int64_t den, double *out)
     return true;
 }
 
-/* Least number of bits of the integer part: with 54 and one that stands for all that follow, no
- * rounding to 53 bits, or to fewer among subnormals, depends on what is left out. */
+/* Least number of bits of the integer root: from 54 bits and one that stands for all later ones,
+ * the rounding to 53 bits, or to fewer for subnormals, is the same as from all bits. */
 enum { ROOT_BITS = 64 };
 
-/* With k such that q 4^k has at least 2 ROOT_BITS bits, floor(sqrt(floor(q 4^k))) is
- * floor(sqrt(q) 2^k); its last bit, of weight far below any rounding, is set if anything was cut
- * off. So its quotient by 2^k lies on the same side of every middle of two doubles as the root. */
+/* With k such that q 4^k has at least 2 ROOT_BITS bits, floor(sqrt(floor(q 4^k))) is floor(sqrt(q)
+ * 2^k); its last bit, of weight far below any rounding, is set if anything was cut off. So it is,
+ * over 2^k, on the same side of every midpoint of two doubles as the root. */
 double fmb_nearest_root(mpq_srcptr q)
 {
     if (mpq_sgn(q) == 0)
@@ -141,7 +141,7 @@ void fmb_rational_give(mpq_srcptr q, mpq_ptr out)
         mpq_set_ui(out, 0, 1);
 }
 
-/* GMP allocates the text, and gets it back, as it does limbs. */
+/* The text is allocated and released by GMP's functions, like limbs. */
 size_t fmb_rational_print(mpq_srcptr q, char *text, size_t size)
 {
     void (*release)(void *, size_t);

@@ -34,8 +34,8 @@ void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem)
     v->limbs = 0;
 }
 
-/* What an entry holds, which may be more than its number needs. malloc rounds an allocation up to
- * 16 bytes or so; two limbs more an entry come near enough. */
+/* Charges the memory of the entries, which may exceed their numbers' need. malloc rounds an
+ * allocation up to about 16 bytes; two more limbs an entry approximate that. */
 fmb_status fmb_vec_settle(fmb_vec *v, size_t n, fmb_mem *mem)
 {
     size_t limbs = 2 * n;
@@ -74,7 +74,7 @@ size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i)
     return mpz_sgn(v->z[i]) == 0 ? 0 : mpz_sizeinbase(v->z[i], 2);
 }
 
-/* A column of entries less than 2^b is shorter than sqrt(d) 2^b. */
+/* A column with d entries less than 2^b has a length less than sqrt(d) 2^b. */
 size_t fmb_vec_minor_bits(const fmb_vec *v, size_t size, size_t d)
 {
     size_t bits = (d * (size_t)fmb_bits64(d) + 1) / 2;
@@ -181,12 +181,12 @@ fmb_status fmb_vec_drop_entry(fmb_vec *v, size_t n, size_t c, fmb_mem *mem)
     return fmb_vec_settle(v, n - 1, mem);
 }
 
-/* The least entry is the first guess of the divisor: mostly it is 1, or the remainders soon are 0.
+/* The least nonzero entry is the first candidate divisor: mostly it is 1, or remainders are soon 0.
  */
 void fmb_vec_reduce_small(fmb_vec *v, size_t n)
 {
     uint64_t g = UINT64_MAX, all = 0;
-    for (size_t i = 0; i < n; i++) { /* 0 counts as the largest */
+    for (size_t i = 0; i < n; i++) { /* 0 - 1 wraps: 0 counts as the largest */
         uint64_t a = fmb_abs64(v->s[i]);
         all |= a;
         g = a - 1 < g ? a - 1 : g;
@@ -202,7 +202,7 @@ void fmb_vec_reduce_small(fmb_vec *v, size_t n)
     fmb_vec_measure(v, n);
 }
 
-/* k->t = the content of a wide vec, 0 of zeros. */
+/* k->t = the content of a wide vec; 0 if all entries are 0. */
 static fmb_status content_of_wide(const fmb_vec *v, size_t n, fmb_num *k)
 {
     mpz_set_ui(k->t, 0);
@@ -211,8 +211,8 @@ static fmb_status content_of_wide(const fmb_vec *v, size_t n, fmb_num *k)
     return FMB_OK;
 }
 
-/* A wide vec over k->t. By a long divisor that is done beside it, and it stays as it was where that
- * is broken off. */
+/* Divide a wide vec by k->t. Division by a long divisor writes to other memory, so that the vec is
+ * unchanged if it is cut off. */
 static fmb_status divide_wide(fmb_vec *v, size_t n, fmb_num *k)
 {
     bool apart = mpz_sizeinbase(k->t, 2) > FMB_LONG_BITS;
