@@ -28,7 +28,7 @@ fmb_status fmb_arrays(fmb_mem *m, bool get, const fmb_array *array, size_t n)
     return st;
 }
 
-/* Bytes of an array, so many that the next one may hold anything; SIZE_MAX: too many. */
+/* Bytes of an array, rounded up to the strictest alignment; SIZE_MAX: too many. */
 static size_t room_of_array(const fmb_array *a)
 {
     const size_t unit = _Alignof(max_align_t);

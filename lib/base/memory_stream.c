@@ -6,7 +6,7 @@
 
 FILE *fmb_memory_stream(const char *text, size_t size)
 {
-    /* POSIX lets a stream of no bytes fail: one of a single byte, which is read, is at its end. */
+    /* POSIX allows a stream of 0 bytes to fail: use one of a single byte, and read that byte. */
     static const char none[] = " ";
     FILE *in = fmemopen((void *)(uintptr_t)(size > 0 ? text : none), size > 0 ? size : 1, "rb");
     if (in && size == 0)
@@ -26,7 +26,7 @@ fmb_status fmb_memory_print(fmb_writes_fn *writes, const void *self, char *text,
         return FMB_ERR_MEMORY;
     fmb_status st = writes(self, out);
     bool is_whole = fclose(out) == 0;
-    if (st == FMB_ERR_IO || (st == FMB_OK && !is_whole)) /* memory is what such a stream can lack */
+    if (st == FMB_ERR_IO || (st == FMB_OK && !is_whole)) /* its only lack is memory */
         st = FMB_ERR_MEMORY;
     if (st == FMB_OK && n < size)
         memcpy(text, bytes, n + 1);

@@ -1,7 +1,7 @@
 /* threads.c: see threads.h. */
 #include "base/threads.h"
 
-/* Take jobs until there are none, holding the lock in between. */
+/* Do jobs until none is left; the lock is held between jobs. */
 static void do_jobs_of_round(fmb_threads *t, size_t thread)
 {
     while (t->next < t->jobs) {

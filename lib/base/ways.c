@@ -5,5 +5,5 @@
 static fmb_ways all_on;
 fmb_ways *fmb_ways_at_hand = &all_on;
 #else
-typedef int fmb_ways_are_all_on; /* C wants something in a file */
+typedef int fmb_ways_are_all_on; /* C forbids empty files */
 #endif
