@@ -10,7 +10,7 @@
 static const char *const KIND[] = {"begin", "round", "rule",   "lp",
                                    "end",   "row",   "rebase", "engine"};
 
-/* NULL is null. Names of rules may come from anywhere. */
+/* NULL becomes null. Names of rules may contain any bytes. */
 static void print_quoted_word(FILE *out, const char *key, const char *word)
 {
     fprintf(out, ", \"%s\": %s", key, word ? "\"" : "null");
@@ -29,7 +29,7 @@ static void print_count(FILE *out, const char *key, uint64_t n)
     fprintf(out, ", \"%s\": %" PRIu64, key, n);
 }
 
-/* The least element of a set that is at least i; 64 words or more: there is none. */
+/* The least element of a set that is at least i; at least 64 words: there is none. */
 static size_t find_next_element(const uint64_t *set, size_t words, size_t i)
 {
     while (i < 64 * words && !fmb_set_has(set, i))
@@ -44,7 +44,7 @@ static void print_variables(FILE *out, const char *key, const uint64_t *set, con
     fprintf(out, ", \"%s\": [", key);
     for (size_t i = 0; (i = find_next_element(set, r->column_words, i)) < end; i++) {
         int variable = r->variable ? r->variable[i] : (int)i;
-        if (variable < 0) /* the form of an optimum */
+        if (variable < 0) /* the objective's extra variable */
             continue;
         fprintf(out, "%s%d", comma, variable + 1);
         comma = ", ";

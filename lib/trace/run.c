@@ -70,7 +70,7 @@ fmb_status fmb_run_open_num(fmb_run *run, fmb_num *k, size_t n, bool wide_only)
     return st;
 }
 
-/* Of the time that is left, one in so many seconds. */
+/* The share of the remaining time that is reserved: 1 / RESERVED. */
 #define RESERVED 16
 
 void fmb_run_reserve(fmb_run *run)

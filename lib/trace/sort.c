@@ -1,15 +1,15 @@
-/* sort.c: sorting that a limit ends; see sort.h. */
+/* sort.c: sorting that can be cut off by a limit; see sort.h. */
 #include "trace/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* What qsort sorts without a poll. */
+/* Number of items that qsort sorts without a poll. */
 enum { BLOCK = 4096 };
 
-/* Merge the first `left` items, which are sorted, with the others up to n, which are sorted, too.
- * The left ones wait in `waiting`. At a limit those that still wait are put back where there is
- * room: as many items are before that room as were taken from both sides, so no item is lost. */
+/* Merge the first `left` items, which are sorted, with the items from there up to n, also sorted.
+ * The former are copied to `waiting`. At a limit the waiting items not yet merged are copied back:
+ * the gap has just their number, so no item is lost. */
 static fmb_status merge(fmb_run *run, char *at, size_t left, size_t n, size_t size,
                         fmb_compare *compare, char *waiting)
 {

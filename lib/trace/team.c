@@ -43,8 +43,8 @@ void fmb_team_close(fmb_team *t)
 
 /* ---- rounds ---------------------------------------------------------------------------------- */
 
-/* Each share may grow by its part of what is left, and until the round is over so may the query's
- * own memory, with which the caller goes on. */
+/* Until the round ends, each share, and the query's own memory, which the caller goes on using, may
+ * grow by an equal part of the remaining memory. */
 static void divide_what_is_left(fmb_team *t)
 {
     fmb_mem *mem = t->run->mem;
@@ -54,7 +54,7 @@ static void divide_what_is_left(fmb_team *t)
         return;
     for (size_t k = 0; k < t->size; k++) {
         size_t limit = t->share[k].mem.used + left;
-        t->share[k].mem.limit = limit > 0 ? limit : 1; /* 0 were none */
+        t->share[k].mem.limit = limit > 0 ? limit : 1; /* 0 means no limit */
     }
     mem->limit = mem->used + left > 0 ? mem->used + left : 1;
 }
@@ -70,7 +70,7 @@ static fmb_status count_what_shares_hold(fmb_team *t)
     return mem->limit > 0 && mem->used > mem->limit ? FMB_LIMIT : FMB_OK;
 }
 
-/* It stays counted where it is. */
+/* The bytes stay charged to the query's memory. */
 void fmb_team_hand_over(fmb_team *t, size_t k, size_t bytes)
 {
     t->share[k].mem.used -= bytes;
