@@ -1,9 +1,9 @@
-/* dominated.c: of parallel rows that bound the same side the tightest stays.
+/* dominated.c: keeps the tightest of parallel rows that bound the same side.
  *
- * The article's rule for parallel rows, in n variables: a.x <= b goes where s a.x <= c is there
- * with s > 0 and c / s <= b (of equal bounds a strict one stays). Source: Baillehache 2020.
+ * The article's rule for parallel rows, in n variables: a.x <= b is dropped if there is a row s a.x
+ * <= c with s > 0 and c / s <= b (of equal bounds a strict one is kept). Source: Baillehache 2020.
  *
- * A number to check: x + y <= 1, 2 x + 2 y <= 3, -x - y <= 0: two rows are left.
+ * A number to check: x + y <= 1, 2 x + 2 y <= 3, -x - y <= 0: two rows remain.
  */
 #include "rule/parallel.h"
 

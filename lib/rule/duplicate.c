@@ -1,10 +1,10 @@
-/* duplicate.c: of rows that are equal up to positive scaling one stays.
+/* duplicate.c: keeps one of rows that are equal up to positive scaling.
  *
- * A strict row implies its copy that is not strict, so a strict one stays if there is one. Which
- * one stays has nothing to do with histories: the one that goes may be the one whose combinations
- * are counted on. Source: Fourier 1827.
+ * A strict row implies its non-strict copy, so a strict one is kept if there is one. The choice has
+ * nothing to do with histories: the dropped row may be the one whose combinations histories rely
+ * on. Source: Fourier 1827.
  *
- * A number to check: x + y <= 1, 2 x + 2 y <= 2, x + y < 1: one row is left, the strict one.
+ * A number to check: x + y <= 1, 2 x + 2 y <= 2, x + y < 1: one row remains, the strict one.
  */
 #include "rule/parallel.h"
 

@@ -1,15 +1,15 @@
-/* imbert.c: Imbert's two acceleration theorems, and the rank test where they leave a doubt.
+/* imbert.c: Imbert's two acceleration theorems, and the rank test where they do not decide.
  *
  * Let H be the history of a row, O the variables eliminated since the base, E those effectively
  * eliminated on the way to the row (some combination cancelled them), and I those implicitly
- * eliminated: in a base row of H, but neither in the row nor in E. I is computed afresh, from the
- * base rows; the union of the parents' is wrong. A row is minimal if no other combination uses only
- * rows of H, and only minimal rows are needed.
+ * eliminated: in a base row of H, but neither in the row nor in E. I is computed anew from the base
+ * rows; the union of the parents' is wrong. A row is minimal if no other combination uses only rows
+ * of H, and only minimal rows are needed.
  *   Theorem 1: a minimal row has 1 + |E| <= |H| <= 1 + |E u (I n O)|.
  *   Theorem 2: if |H| = 1 + |E|, the row is minimal.
- * Between the two, it is minimal if and only if the base rows of H have rank |H| - 1 in the columns
- * O. Kohler's bound, |H| <= 1 + |O|, follows from the first, and is used before the row is made.
- * Source: Imbert 1990 (doi 10.1016/B978-0-444-88771-9.50019-2), 1993.
+ * Between the two bounds, it is minimal if and only if the base rows of H have rank |H| - 1 in the
+ * columns O. Kohler's bound, |H| <= 1 + |O|, follows from the first, and is used before the row is
+ * made. Source: Imbert 1990 (doi 10.1016/B978-0-444-88771-9.50019-2), 1993.
  *
  * A number to check: the 28 rows of chernikov.c.
  */

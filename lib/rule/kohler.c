@@ -1,15 +1,15 @@
 /* kohler.c: Kohler's rule.
  *
- * After k variables are eliminated, an irredundant row is a combination of at most k + 1 base rows.
- * For the multipliers of the rows that a round can make form the cone {y >= 0 : y A_k = 0}, A_k the
+ * After k variables are eliminated, an irredundant row is a combination of at most k + 1 base rows:
+ * the multipliers of the rows that a round can make form the cone {y >= 0 : y A_k = 0}, A_k the
  * columns of the eliminated variables; only its extreme rays are needed, and the support of an
  * extreme ray has at most rank(A_k) + 1 <= k + 1 elements. The union of the parents' histories is
  * the history of the new row, so the test needs no arithmetic. Source: Kohler 1967, Projections of
  * convex polyhedral sets.
  *
- * Numbers to check: of |x1| + ... + |x4| <= 1, written as 16 rows, 48 rows are left after three
- * rounds, and 5,870 without it. Pairs of moving cuboids in 3D with small integers that meet need 60
- * rows on the mean until only the time is left, and 383 without it.
+ * Numbers to check: of |x1| + ... + |x4| <= 1, written as 16 rows, 48 rows remain after three
+ * rounds, and 5,870 without this rule. Pairs of moving cuboids in 3D with small integers that meet
+ * need 60 rows on average until only the time is left, and 383 without the rule.
  */
 #include "rule/rule_private.h"
 

@@ -1,8 +1,8 @@
-/* parallel.c: like rows found by hashing; see parallel.h.
+/* parallel.c: finds parallel rows by hashing; see parallel.h.
  *
- * Rows are compared divided by the greatest common divisor (the scale) of the entries in question,
- * without being divided: a is like b if a_j scale_b = b_j scale_a for each j. Numbers of any size
- * are taken from GMP, small ones from the row itself, with equal hashes.
+ * Rows are compared as if divided by the greatest common divisor (the scale) of the entries in
+ * question: a is parallel to b if a_j scale_b = b_j scale_a for each j. Large numbers are compared
+ * in GMP, small ones in the row itself; both have equal hashes.
  */
 #include "rule/parallel.h"
 
@@ -54,7 +54,7 @@ static void scale_of_gmp_row(parallel_search *s, size_t row, mpz_t g)
         mpz_set_ui(g, 1);
 }
 
-/* Entry j, which is not 0. */
+/* Mix the nonzero entry j into the hash. */
 static uint64_t stir_into_hash(uint64_t h, int j, uint64_t low, bool negative)
 {
     h = (h ^ (negative ? ~low : low) ^ (uint64_t)j << 48) * 0xff51afd7ed558ccdu;
@@ -89,7 +89,7 @@ static uint64_t hash_of_row(parallel_search *s, size_t i)
     return h;
 }
 
-/* The scales of the i-th and the k-th row, where not both are small. */
+/* The scales of the i-th and the k-th row, if at least one is not small. */
 static void set_scales_in_gmp(parallel_search *s, size_t i, size_t k)
 {
     size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
@@ -140,7 +140,7 @@ static bool are_rows_like(parallel_search *s, size_t i, size_t k)
     return true;
 }
 
-/* The slot of a row like the i-th, or the free slot where that belongs. */
+/* The slot of a row parallel to the i-th, or the free slot for the i-th. */
 static size_t *find_slot_of_like(parallel_search *s, size_t i)
 {
     for (size_t at = (size_t)hash_of_row(s, i);; at++) {
@@ -150,7 +150,7 @@ static size_t *find_slot_of_like(parallel_search *s, size_t i)
     }
 }
 
-/* Is the bound of the i-th row tighter than that of the k-th, which was just found like it? */
+/* Is the bound of the i-th row tighter than that of the k-th, just found to be parallel? */
 static bool is_bound_tighter(parallel_search *s, size_t i, size_t k)
 {
     int order = compare_entries(s, i, k, fmb_view_dim(s->w));
