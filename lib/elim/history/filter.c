@@ -1,4 +1,4 @@
-/* filter.c: vectorised questions about the histories of pairs; see filter.h. */
+/* filter.c: vectorized tests of the histories of pairs; see filter.h. */
 #include "elim/history/filter.h"
 
 #include <string.h>
@@ -54,7 +54,7 @@ fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept)
 
 /* ---- planes ---------------------------------------------------------------------------------- */
 
-/* Room for count sets. */
+/* Memory for count sets. */
 static fmb_status open_layout(fmb_layout *l, size_t words, size_t count, fmb_mem *mem)
 {
     size_t stride = (count + 7) / 8 * 8;
@@ -98,7 +98,7 @@ static fmb_status lay_out_live_rows(fmb_elim *e)
     return FMB_OK;
 }
 
-/* ---- questions ------------------------------------------------------------------------------- */
+/* ---- tests ----------------------------------------------------------------------------------- */
 
 fmb_status fmb_filter_drop_larger(fmb_elim *e, uint32_t row, const uint32_t *upper, size_t uppers,
                                   int most, uint64_t *drop)
@@ -110,7 +110,7 @@ fmb_status fmb_filter_drop_larger(fmb_elim *e, uint32_t row, const uint32_t *upp
     return st;
 }
 
-/* The pair's own two histories lie inside their union; a third one covers it. */
+/* Two subsets of the union are the histories of the pair itself; a third one covers the pair. */
 fmb_status fmb_filter_drop_covered(fmb_elim *e, uint32_t row, const uint32_t *upper, size_t uppers,
                                    uint64_t *drop)
 {

@@ -46,7 +46,7 @@ static void add_variables_of_row(const fmb_elim *e, const fmb_derived *r, uint64
         set[w] |= r->names[w];
 }
 
-/* Imbert's I is computed afresh from the base rows: unions of the parents' I are wrong, since a
+/* Imbert's I is computed anew from the base rows: the union of the parents' I is wrong, since a
  * variable that vanished by chance can come back. */
 void fmb_history_implicit(const fmb_elim *e, const fmb_derived *r, uint64_t *out)
 {

@@ -12,7 +12,7 @@
 
 #include "num/prime.h"
 
-/* The rows of the history and the variables eliminated, as lists. */
+/* The rows of the history and the eliminated variables, as lists. */
 typedef struct minor {
     size_t *row, *var;
     size_t rows, vars;
@@ -27,7 +27,7 @@ static size_t list_members(const uint64_t *set, size_t words, size_t *out)
     return n;
 }
 
-/* Gauss modulo the prime: a[rows][cols] is used up. */
+/* Gaussian elimination modulo the prime; a[rows][cols] is overwritten. */
 static size_t rank_mod_prime(const fmb_prime *q, uint64_t *a, size_t rows, size_t cols)
 {
     size_t rank = 0;

@@ -1,4 +1,4 @@
-/* base.c: where a base begins. */
+/* base.c: the start of a base. */
 #include <string.h>
 
 #include "elim/history/filter.h"
@@ -7,7 +7,7 @@
 #include "elim/rules/box_rule.h"
 #include "elim/rules/prune.h"
 
-/* Is there a row that the box refutes among the base rows? Then the elimination is over. */
+/* If the box refutes a base row, end the elimination with a clash. */
 static fmb_status refute_base_rows(fmb_elim *e)
 {
     if (!fmb_elim_keeps(e, FMB_STEP_REFUTE))

@@ -1,11 +1,11 @@
-/* combine.c: a combination of two rows becomes alive, ends the elimination, or goes. */
+/* combine.c: a combination of two rows becomes live, ends the elimination, or is dropped. */
 #include "elim/history/filter.h"
 #include "elim/history/history.h"
 #include "elim/round/round.h"
 #include "elim/rules/box_rule.h"
 #include "elim/rules/prune.h"
 
-/* Tell the watcher of the row at the end of the store. */
+/* Emit an event for the row at the end of the store. */
 static fmb_status emit_row_event(fmb_elim *e, const char *dropped_by)
 {
     const fmb_derived *r = &e->row[e->rows];
@@ -35,7 +35,7 @@ static fmb_status emit_row_event(fmb_elim *e, const char *dropped_by)
     return FMB_OK;
 }
 
-/* A row that says nothing goes; its history stays where it can cover others. */
+/* Drop a trivial row; its history is kept if it can cover others. */
 static fmb_status drop_constant_row(fmb_elim *e)
 {
     bool kept;
@@ -45,7 +45,7 @@ static fmb_status drop_constant_row(fmb_elim *e)
     return st;
 }
 
-/* The row at the end of the store becomes alive. */
+/* Make the row at the end of the store live. */
 static fmb_status keep_row(fmb_elim *e)
 {
     fmb_status st = fmb_list_push(e, &e->next, (uint32_t)e->rows);

@@ -86,7 +86,7 @@ static uint32_t find_sparsest_equality(const fmb_elim *e, int var)
     return best;
 }
 
-/* Use the equality q to remove var from every other row. Histories start anew: what follows is a
+/* Use the equality q to remove var from every other row. Histories start anew: the result is a
  * smaller system with the same solutions, whose rows are not combinations of pairs. */
 static fmb_status substitute_equality(fmb_elim *e, uint32_t q, int var)
 {
@@ -119,7 +119,7 @@ static bool stands_with_both_signs(const fmb_elim *e, int var)
     return lower && upper;
 }
 
-/* The rows with var into the round, lower ones first, the others to the next live rows. */
+/* Put the rows with var into the round, lower ones first, the others into the next live rows. */
 static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lowers)
 {
     round->rows = *lowers = 0;
@@ -135,7 +135,7 @@ static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lower
     return FMB_OK;
 }
 
-/* Does no row of the round name another variable? */
+/* Does no row of the round contain another variable? */
 static bool names_no_other_variable(const fmb_elim *e, const fmb_round *round)
 {
     for (size_t i = 0; i < round->rows; i++)
@@ -144,8 +144,8 @@ static bool names_no_other_variable(const fmb_elim *e, const fmb_round *round)
     return true;
 }
 
-/* Remove var by pairing. A variable of one sign only makes no pairs: its rows go, and histories
- * stay as they are, since the rest is what the elimination of the other variables alone would give.
+/* Remove var by pairing. A variable of one sign only makes no pairs: its rows are removed, and
+ * histories stay valid, as the rest is the result of eliminating the other variables only.
  */
 static fmb_status eliminate_by_pairs(fmb_elim *e, int var)
 {
@@ -194,7 +194,7 @@ static void emit_rule_events(fmb_elim *e, int var)
     e->constants = 0;
 }
 
-/* The round is over: count what is left of the rows that it made, and tell. */
+/* At the end of a round: count the rows kept of those that it made, and emit the events. */
 static void close_round(fmb_elim *e, int var)
 {
     const fmb_tally *before = &e->at.before;
@@ -217,7 +217,7 @@ static void close_round(fmb_elim *e, int var)
                                      .widened = after.widened - before->widened});
 }
 
-/* Rules that look at all rows look at few new ones only in rounds that can make many. */
+/* Rules that test all rows need not test few new ones, except in rounds that can make many. */
 static bool is_time_for_rules(const fmb_elim *e)
 {
     bool careful = e->cheap_only || e->growth > 0;
@@ -230,7 +230,7 @@ static fmb_status let_rules_end_round(fmb_elim *e, int var)
     return fmb_rules_end_round(e, var);
 }
 
-/* What the round has made is alive. */
+/* Make the rows of the round live. */
 static fmb_status end_round(fmb_elim *e)
 {
     fmb_round *round = &e->round[e->rounds];
@@ -240,7 +240,7 @@ static fmb_status end_round(fmb_elim *e)
     fmb_list list = e->live;
     e->live = e->next;
     e->next = list;
-    e->based &= !e->broken; /* what was refused follows from rows that are there now */
+    e->based &= !e->broken; /* refused rows follow from the rows present now */
     e->broken = false;
     if (e->clash == FMB_NO_ROW && round->rows > 1 && is_time_for_rules(e))
         st = let_rules_end_round(e, round->var);
@@ -260,7 +260,7 @@ static fmb_status eliminate_variable(fmb_elim *e, int var)
     return end_round(e);
 }
 
-/* The round in which the last call paused. */
+/* Continue the round in which the last call paused. */
 static fmb_status go_on_with_round(fmb_elim *e)
 {
     FMB_TRY(fmb_elim_pair(e, &e->round[e->rounds]));
@@ -284,7 +284,7 @@ static bool is_ready_to_pair(const fmb_elim *e, const bool *drop)
     return any;
 }
 
-/* Of the many pairs of a variable with both ends the box refuses most; that shows in the rows left.
+/* If a variable has both ends, the box refuses most of its pairs: then the number of rows decides.
  */
 static bool grows_too_much(const fmb_elim *e, int var, double growth)
 {
@@ -293,8 +293,8 @@ static bool grows_too_much(const fmb_elim *e, int var, double growth)
     return (!boxed && growth > e->growth * (double)e->live.size) || e->live.size > 2 * e->flat;
 }
 
-/* The next variable, *var; -1: there is none, or what comes next is not cheap. Histories start
- * before the choice: what goes then is not counted in it. */
+/* The next variable, *var; -1: there is none, or it is not cheap. Histories start before the
+ * choice, so that rows dropped then do not count in it. */
 static fmb_status choose_next_variable(fmb_elim *e, const bool *drop, int *var)
 {
     *var = -1;

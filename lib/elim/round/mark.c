@@ -1,8 +1,8 @@
 /* mark.c: see mark.h.
  *
- * Rows before the mark stay where they are in the derivation; a round may have divided them by a
- * common divisor, which changes nothing. The array of rows may have moved: the mark's own array is
- * still there, and takes back what it held.
+ * Rows made before the mark stay in the derivation; a round may have divided them by a common
+ * divisor, which changes nothing. The array of rows may have moved: the mark's own array still
+ * exists, and gets the rows back.
  */
 #include "elim/round/mark.h"
 
@@ -18,7 +18,7 @@ bool fmb_mark_possible(const fmb_elim *e)
     return true;
 }
 
-/* Keep a copy of what stands there, if anything does. */
+/* Keep a copy of the bytes there, if there are any. */
 static bool keep_copy(fmb_mark *m, fmb_elim *e, void *at, size_t bytes)
 {
     if (!at || bytes == 0)
@@ -62,7 +62,7 @@ fmb_status fmb_mark_set(fmb_mark *m, fmb_elim *e)
     return FMB_OK;
 }
 
-/* The rows made since go; the others, as they are now, back into the mark's array. */
+/* Remove the rows made since, and copy the others, as they are now, to the mark's array. */
 static void forget_newer_rows(const fmb_mark *m, fmb_elim *e)
 {
     size_t rows = m->then.rows;

@@ -1,20 +1,20 @@
-/* order.c: which variable goes next. A variant is a cost function; the least cost wins, ties go to
- * the lower index.
+/* order.c: the order of elimination. Each variant is a cost function; the least cost wins, ties go
+ * to the lower index.
  *
- * Unless a caller chooses, a variable in an equality goes first (substitution adds no rows), then
- * one that stands with one sign only (its rows just go).
+ * Unless a caller chooses, a variable in an equality comes first (substitution adds no rows), then
+ * one of one sign only (its rows are just removed).
  */
 #include "elim/round/round.h"
 #include "elim/rules/view.h"
 
-/* How a variable stands in the live rows. */
+/* The occurrences of a variable in the live rows. */
 typedef struct occurrence {
     size_t lower, upper;           /* rows of negative, positive coefficient */
     size_t lower_size, upper_size; /* nonzeros in them */
     bool in_equality;
 } occurrence;
 
-/* Count one row for each of its variables; how long it is only the order by fill asks. */
+/* Count a row for each of its variables; only the order by fill needs its length. */
 static void count_row_occurrences(const fmb_elim *e, const fmb_derived *r, occurrence *c)
 {
     size_t size = e->order == FMB_ORDER_FILL ? (size_t)fmb_elim_count_variables(e, r) : 0;
@@ -46,7 +46,7 @@ static double cost_of_smaller_side(const occurrence *c)
     return (double)(c->lower < c->upper ? c->lower : c->upper);
 }
 
-/* Nonzeros of all combinations, were there no overlap. */
+/* The nonzeros of all combinations if none overlapped. */
 static double cost_in_nonzeros(const occurrence *c)
 {
     return (double)c->lower * (double)c->upper_size + (double)c->upper * (double)c->lower_size;
@@ -78,8 +78,8 @@ double fmb_elim_growth(const fmb_elim *e, int var)
     return c.in_equality ? 0 : cost_in_pairs(&c);
 }
 
-/* The variables with drop[var] that are not eliminated yet, in order. The list is in place of marks
- * of those that are. */
+/* List the variables with drop[var] that are not eliminated yet, in order; they are recognized
+ * without marks. */
 static size_t list_candidates(fmb_elim *e, const bool *drop)
 {
     int *candidate = e->candidate;
@@ -94,7 +94,7 @@ static size_t list_candidates(fmb_elim *e, const bool *drop)
     return n;
 }
 
-/* Whatever the order, equalities go first, then variables of one sign. */
+/* In every order equalities come first, then variables of one sign. */
 static int priority_of(const fmb_elim *e, const occurrence *c)
 {
     bool onesided = c->lower == 0 || c->upper == 0;
@@ -131,8 +131,8 @@ static bool stands_in_equality(const fmb_elim *e, int var)
     return false;
 }
 
-/* Substitution starts histories anew: where that may not happen, equalities have to be used up
- * before the first pairs. Only their variables stay among the candidates, if there are any. */
+/* Substitution starts histories anew: if that is not allowed, equalities must be used up before the
+ * first pairs. Then, if candidates are in equalities, only these are kept. */
 static size_t keep_those_in_equalities(const fmb_elim *e, int *candidate, size_t n)
 {
     size_t left = 0;

@@ -1,4 +1,4 @@
-/* pairs.c: combine every lower with every upper row of a round, but for the pairs that rules refuse
+/* pairs.c: combines every lower with every upper row of a round, except for pairs that rules refuse
  * beforehand. */
 #include "elim/history/filter.h"
 #include "elim/round/round.h"

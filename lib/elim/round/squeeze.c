@@ -1,8 +1,8 @@
-/* squeeze.c: the end of an elimination: one variable is left, and each row is a bound on it.
+/* squeeze.c: the end of an elimination: one variable remains, and each row is a bound on it.
  *
  * Pairing all lower with all upper bounds would only make constant rows; the largest lower and the
- * least upper bound (of equal bounds a strict one) clash if any pair does. So one comparison a row,
- * and one combination, do.
+ * least upper bound (of equal bounds a strict one) clash if any pair does. So one comparison for
+ * each row and one combination suffice.
  */
 #include "elim/round/round.h"
 
@@ -14,7 +14,7 @@ static int compare_bounds(const fmb_elim *e, uint32_t x, uint32_t y, size_t var)
     return fmb_vec_compare_products(u, (size_t)e->n, v, var, v, (size_t)e->n, u, var);
 }
 
-/* The row of least b / |a| among row[from..to): the tightest bound of its side. */
+/* The row of the least b / |a| among row[from..to): the tightest bound of its side. */
 static uint32_t find_tightest_bound(const fmb_elim *e, const fmb_round *round, size_t from,
                                     size_t to)
 {

@@ -1,10 +1,9 @@
 /* witness.c: back-substitution.
  *
- * Fourier-Motzkin keeps, for values of the remaining variables that satisfy the combined rows, the
- * largest lower bound of the eliminated variable at or below the least upper bound (strictly below
- * if either row is strict). So, last round first, each variable finds a value between them. Rows
- * that a rule dropped are implied by those that stayed, in all three kinds alike. Source: Schrijver
- * 1986, section 12.2.
+ * If values of the remaining variables satisfy the combined rows, the largest lower bound of the
+ * eliminated variable is at most its least upper bound (less if one of the two rows is strict). So,
+ * last round first, each variable gets a value between them. Rows dropped by a rule are implied by
+ * kept rows, for all three kinds of points alike. Source: Schrijver 1986, section 12.2.
  */
 #include "elim/round/witness.h"
 
@@ -38,7 +37,7 @@ static fmb_status bound_by_row(const fmb_elim *e, const fmb_derived *r, int var,
     return st == FMB_OK ? fmb_long_divide(g->value, mpq_numref(g->t), &poll) : st;
 }
 
-/* Narrow the range by value; of equal bounds the open one counts. */
+/* Narrow the range by value; of equal bounds the open one is kept. */
 static void narrow_range(range *g, bool is_lower, bool open)
 {
     mpq_ptr end = is_lower ? g->lower : g->upper;
@@ -83,7 +82,7 @@ void fmb_simple_between(mpq_t x, mpq_srcptr lower, bool lower_open, mpq_srcptr u
         mpq_set(x, near);
         return;
     }
-    mpq_add(x, lower, upper); /* no integer fits, so both ends are there */
+    mpq_add(x, lower, upper); /* no integer fits, so both ends exist */
     mpq_div_2exp(x, x, 1);
 }
 

@@ -1,8 +1,8 @@
 /* box_rule.c: the box of the rows with one variable; see box_rule.h.
  *
- * A row -x <= -l or x <= u of the base stays what it is as long as x is there, and is among the
- * base rows of every combination afterwards; so the box is permanent until histories start anew.
- * Ends whose numbers would not fit are left out: the box is then larger, and says less.
+ * A row -x <= -l or x <= u of the base does not change until x is eliminated, and is a base row of
+ * every combination afterwards; so the box is permanent until histories start anew. Ends whose
+ * numbers do not fit are left out: the box is then larger, and its conclusions weaker.
  */
 #include "elim/rules/box_rule.h"
 
@@ -17,7 +17,7 @@ static bool is_tighter_bound(const fmb_elim *e, uint32_t x, uint32_t y, size_t c
     return order < 0 || (order == 0 && a->strict && !b->strict);
 }
 
-/* The tightest row of each end; the others of its kind leave the live rows. */
+/* Find the tightest row of each end; drop_implied_bounds removes the others. */
 static void find_tightest_ends(fmb_elim *e)
 {
     fmb_box_rows *box = &e->box;
@@ -44,7 +44,7 @@ static void drop_implied_bounds(fmb_elim *e)
     e->live.size = left;
 }
 
-/* Take one more denominator into the unit if the unit stays small. */
+/* Multiply one more denominator into the unit if the unit stays small. */
 static void widen_unit(fmb_box_rows *box, uint64_t a)
 {
     uint64_t factor = a / fmb_gcd64((uint64_t)box->unit, a);
@@ -85,8 +85,8 @@ static void scale_all_ends(fmb_elim *e)
 
 /* ---- a budget -------------------------------------------------------------------------------- */
 
-/* Is the row a budget: an inequality in two variables or more, each with its least end, and one of
- * them without the other? Then *room is what it leaves above the least ends. */
+/* Is the row a budget: an inequality in at least two variables, all with their least ends, and one
+ * without the other end? Then *room = its right side minus the least value of its left. */
 static bool is_budget_row(const fmb_elim *e, const fmb_derived *r, int64_t *room)
 {
     bool open = false;
@@ -109,7 +109,7 @@ static bool is_budget_row(const fmb_elim *e, const fmb_derived *r, int64_t *room
     return open && variables > 1 && *room >= 0;
 }
 
-/* The first budget there is. Without histories nobody could tell which rows are made of it. */
+/* Find the first budget. Without histories it is not known which rows are derived from it. */
 static void find_first_budget(fmb_elim *e)
 {
     fmb_box_rows *box = &e->box;

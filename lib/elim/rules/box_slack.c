@@ -1,14 +1,14 @@
-/* box_slack.c: rows over the box; see box_rule.h.
+/* box_slack.c: compares rows with the box; see box_rule.h.
  *
- * If the least value of a.x over the box is more than b, then the row and the rows that make those
- * ends combine to a row 0 <= negative: one combination for each variable of the row. This is the
+ * If the least value of a.x over the box is more than b, then the row and the rows of those ends
+ * combine to a row 0 <= negative: one combination for each variable of the row. This is the
  * article's inconsistency test. Source: Baillehache 2020.
  */
 #include "elim/rules/box_rule.h"
 
 #include "num/gcd.h"
 
-/* The same as below in GMP. */
+/* Like slack_sign_at, in GMP. */
 static int slack_sign_in_gmp(const fmb_elim *e, const fmb_derived *r, int at)
 {
     const fmb_box_rows *box = &e->box;
@@ -39,7 +39,7 @@ static int slack_sign_in_int128(const fmb_elim *e, const fmb_derived *r, int at)
     return fmb_i128_sign(sum);
 }
 
-/* Has the box an end wherever a.x is greatest (at = 1) or least (at = -1)? */
+/* Has the box all ends where a.x is greatest (at = 1) or least (at = -1)? */
 static bool box_is_closed_at(const fmb_elim *e, const fmb_derived *r, int at)
 {
     for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1))
@@ -55,7 +55,7 @@ static int slack_sign_at(const fmb_elim *e, const fmb_derived *r, int at)
     return r->v.z || bits > 126 ? slack_sign_in_gmp(e, r, at) : slack_sign_in_int128(e, r, at);
 }
 
-/* Does the row itself make an end or the budget? */
+/* Is the row itself one of an end or of the budget? */
 static bool makes_end_or_budget(const fmb_elim *e, const fmb_derived *r)
 {
     uint32_t number = (uint32_t)(r - e->row);
@@ -64,7 +64,7 @@ static bool makes_end_or_budget(const fmb_elim *e, const fmb_derived *r)
            (c >= 0 && e->box.row[fmb_vec_sgn(&r->v, (size_t)c) > 0][c] == number);
 }
 
-/* Is the row made of nothing but rows of the box and the budget? */
+/* Is the row derived from rows of the box and the budget only? */
 static bool is_made_of_box_rows(const fmb_elim *e, const fmb_derived *r)
 {
     if (!e->box.hard || !r->history)
@@ -75,9 +75,9 @@ static bool is_made_of_box_rows(const fmb_elim *e, const fmb_derived *r)
     return true;
 }
 
-/* Over the box with a budget, a.x is greatest with all of the budget's variables at their least
- * ends but one, which takes the room: that with the greatest gain a_j / s_j, if any gains. Sign of
- * b - that, times unit and s_j. */
+/* Over the box with a budget, a.x is greatest with all variables of the budget at their least ends
+ * except the one with the greatest gain a_j / s_j, if any gains, which uses all the room. Sign of b
+ * - that maximum, times unit and s_j. */
 static int slack_sign_with_budget(const fmb_elim *e, const fmb_derived *r)
 {
     const fmb_box_rows *box = &e->box;

@@ -1,4 +1,4 @@
-/* prune.c: rules are asked, and what they refuse is counted; see prune.h. */
+/* prune.c: calls the rules and counts what they refuse; see prune.h. */
 #include "elim/rules/prune.h"
 
 #include "elim/rules/view.h"
@@ -34,7 +34,7 @@ fmb_status fmb_rules_drop_base_rows(fmb_elim *e)
     return FMB_OK;
 }
 
-/* What each rule adds to drop is its own. */
+/* The bits that a rule adds to drop count for that rule. */
 fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lowers, size_t i,
                                   uint64_t *drop)
 {
@@ -60,7 +60,7 @@ fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lo
     return st;
 }
 
-/* Rows made by substitution are the base to come: rules wait until it is complete. */
+/* Rows made by substitution are part of the next base: rules wait until it is complete. */
 fmb_status fmb_rules_drop_row(fmb_elim *e, const fmb_rule **by)
 {
     *by = NULL;
@@ -91,14 +91,13 @@ static bool rebases_always(const fmb_elim *e, const fmb_rule *rule)
            e->rebase == FMB_REBASE_ALWAYS;
 }
 
-/* A rule that breaks histories costs Kohler's count, which starts anew: worth it for many rows
- * only. */
+/* A rule that breaks histories restarts Kohler's count: that pays only if it drops many rows. */
 static bool pays_for_rebase(const fmb_elim *e, const fmb_rule *rule, size_t marked)
 {
     return marked > 0 && (rebases_always(e, rule) || 4 * marked >= e->live.size);
 }
 
-/* With few rows it cannot: the rows are not even looked at. */
+/* With fewer live rows than this it cannot pay: the rule is not even called. */
 #define WORTH_LOOKING 32
 
 static bool can_pay_for_rebase(const fmb_elim *e, const fmb_rule *rule)

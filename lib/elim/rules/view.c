@@ -32,7 +32,7 @@ fmb_status fmb_window_close(fmb_window *w)
     return w->failed;
 }
 
-/* The first failure inside an accessor is told when the window closes. */
+/* Note the first failure inside an accessor; it is returned when the window closes. */
 static void note_failure(const fmb_view *w, fmb_status st)
 {
     if (*w->status == FMB_OK)

@@ -49,8 +49,8 @@ static void find_factors(const fmb_elim *e, const fmb_derived *r, sweep *s)
     mpq_canonicalize(s->content);
 }
 
-/* share = the weight at that place over the content, which takes all of it; all weights are
- * multiplied by what is missing. */
+/* share = the weight at that place over the content, and the weight becomes 0; if the division is
+ * not exact, all weights are multiplied by the missing factor first. */
 static void take_weight(sweep *s, size_t place)
 {
     mpz_ptr weight = mpq_numref(s->all.value[place]), of = mpq_numref(s->content);
@@ -99,7 +99,7 @@ static bool has_weight(const sweep *s, uint32_t row)
     return s->slot[row] != 0 && mpq_sgn(s->all.value[s->slot[row] - 1]) != 0;
 }
 
-/* What is left are base rows, last ones first. */
+/* The remaining weights are those of base rows, last ones first. */
 static fmb_status sweep_down_to_base(const fmb_elim *e, sweep *s, uint32_t top, fmb_weights *base)
 {
     for (uint32_t i = top + 1; i-- > 0;)
@@ -116,7 +116,7 @@ static fmb_status sweep_down_to_base(const fmb_elim *e, sweep *s, uint32_t top, 
     return FMB_OK;
 }
 
-/* Start the sweep with the rows of w: rows named twice are added up. */
+/* Start the sweep with the rows of w; weights of the same row are added. */
 static fmb_status start_sweep(sweep *s, const fmb_weights *w, fmb_mem *mem)
 {
     mpz_set_ui(s->denominator, 1);

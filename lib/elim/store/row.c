@@ -1,4 +1,4 @@
-/* row.c: rows enter the store: base rows, and combinations. */
+/* row.c: adds rows to the store: base rows, and combinations. */
 #include "elim/store/store.h"
 
 /* An empty row at the end of the store, not counted yet. */

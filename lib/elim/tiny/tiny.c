@@ -2,13 +2,12 @@
  *
  * The same elimination as the engine's, on the stack: no allocation, no proof. A round removes the
  * variable with the fewest pairs; pairs are refused by Kohler's rule (see rule/kohler.c), rows
- * dropped or found false over the box of the rows with one variable (rule/box.c,
- * rules/box_slack.c). When two variables are left, the pairs of one are bounds on the other, of
- * which only the tightest are kept (round/squeeze.c). Histories are sets of at most 64 base rows:
- * one word.
+ * dropped or refuted over the box of the rows with one variable (rule/box.c, rules/box_slack.c).
+ * When two variables remain, the pairs of one are bounds on the other, of which only the tightest
+ * are kept (round/squeeze.c). Histories are sets of at most 64 base rows: one word.
  *
- * Numbers stay exact: what could overflow is formed in 128 bits, and the elimination is given up
- * when a row does not fit after all. Then, and when a table is full, nothing is known.
+ * Numbers stay exact: products that may overflow are formed in 128 bits, and the elimination is
+ * given up when a row still does not fit. Then, and when a table is full, the answer is unknown.
  */
 #include "elim/tiny/tiny.h"
 #include "elim/tiny/tiny_private.h"
@@ -35,7 +34,7 @@ static void count_signs(const fmb_tiny *t, counts *c)
     }
 }
 
-/* The variable of fewest pairs; one with none comes first. */
+/* The variable with the fewest pairs; one with no pairs comes first. */
 static int choose_fewest_pairs(const fmb_tiny *t)
 {
     counts c;
@@ -77,7 +76,7 @@ static bool names_no_variable(const int64_t *a, int n)
     return all == 0;
 }
 
-/* The row at the end of the next table has lost its variable already. */
+/* Keep the row at the end of the next table, whose variable is cancelled, unless constant. */
 static fmb_tiny_step keep_unless_constant(fmb_tiny *t)
 {
     fmb_tiny_table *next = t->next;
@@ -107,7 +106,7 @@ static fmb_tiny_step combine_unless_refused(fmb_tiny *t, int p, int q, int c)
 
 /* ---- a round --------------------------------------------------------------------------------- */
 
-/* Rows with variable c into sides, the others to the next table. */
+/* Sort the rows with variable c into sides, and copy the others to the next table. */
 static void split_by_sign(fmb_tiny *t, int c, sides *s)
 {
     const fmb_tiny_table *now = t->now;
@@ -126,7 +125,7 @@ static void split_by_sign(fmb_tiny *t, int c, sides *s)
     }
 }
 
-/* Variable c is gone, and the last one has its number. */
+/* After variable c is eliminated, give its number to the last variable. */
 static void close_variable(fmb_tiny *t, int c)
 {
     int n = t->n--;
@@ -204,7 +203,7 @@ static fmb_tiny_step make_last_round(fmb_tiny *t)
     return step == FMB_TINY_GO ? fmb_tiny_compare_ends(t) : step;
 }
 
-/* Of the rows of s, or where it is NULL of m small ones over n variables, taken for strict ones. */
+/* Eliminate all variables of s, or (s NULL) of m small rows over n variables, taken as strict. */
 static fmb_verdict eliminate_all(size_t n, const fmb_system *s, size_t m, const fmb_vec *row,
                                  fmb_stats *stats, uint64_t *clash)
 {

@@ -4,13 +4,13 @@
  */
 #include "elim/tiny/tiny_private.h"
 
-/* What the box says of a row. */
+/* The truth of a row over the box. */
 typedef enum word { NOTHING, ALWAYS, NEVER } word;
 
 static word check_row_over_box(fmb_tiny *t, const fmb_tiny_table *rows, int i)
 {
     const int64_t *a = rows->a[i];
-    uint64_t named = rows->history[i];  /* and of the ends where a.x is least */
+    uint64_t named = rows->history[i];  /* base rows, and those of a.x's least ends */
     unsigned no_most = 0, no_least = 0; /* the box is open where a.x is greatest, least */
     fmb_i128 most = fmb_i128_of(0), least = most, right = fmb_i128_of(a[0]);
     for (int k = 1; k <= t->n; k++) {

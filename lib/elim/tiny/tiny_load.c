@@ -1,8 +1,8 @@
-/* tiny_load.c: rows into a table on the stack.
+/* tiny_load.c: copies rows into a table on the stack.
  *
- * Of the rows with one variable only the tightest of each side stays. Its end, rounded outward to a
- * whole number, is an end of the box: the box may be larger than what the rows say, and what holds
- * in it strictly, or fails in all of it, does so in the smaller one.
+ * Of the rows with one variable only the tightest of each side is kept. Its end, rounded outward to
+ * an integer, is an end of the box: the box may be larger than the rows require, and a row that
+ * holds strictly, or fails, in all of it does so in the smaller box.
  */
 #include "elim/tiny/tiny_private.h"
 #include "num/gcd.h"
@@ -22,7 +22,7 @@ typedef struct load_ends {
     int row[2][FMB_TINY_WORDS];
 } load_ends;
 
-/* a.x REL b: coefficients a[0..nnz), which are of variables var[k], and b = a[nnz]. */
+/* a.x REL b: coefficients a[0..nnz) of the variables var[k], and b = a[nnz]. */
 typedef struct load_row {
     size_t nnz;
     const int *var;
@@ -30,7 +30,7 @@ typedef struct load_row {
     int bits;
     bool strict;
     uint64_t history;
-    int own_var[FMB_TINY_WORDS]; /* room for what var and a point at */
+    int own_var[FMB_TINY_WORDS]; /* memory for var and a */
     int64_t own[FMB_TINY_WORDS];
 } load_row;
 
@@ -56,7 +56,7 @@ static void put_base_row(fmb_tiny_table *base, int i, const load_row *r)
     base->strict[i] = r->strict;
 }
 
-/* A row with one variable: as an end, unless there is a tighter one. */
+/* Make a row with one variable an end, unless there is a tighter one. */
 static void put_end_row(fmb_tiny_table *base, load_ends *e, const load_row *r)
 {
     int *end = &e->row[r->a[0] > 0][r->var[0] + 1];
@@ -66,7 +66,7 @@ static void put_end_row(fmb_tiny_table *base, load_ends *e, const load_row *r)
         put_base_row(base, *end, r);
 }
 
-/* The greatest whole number that is at most b / a, for a > 0. */
+/* The greatest integer that is at most b / a, for a > 0. */
 static int64_t floor_divide(int64_t b, int64_t a)
 {
     return a == 1 ? b : b / a - (b % a < 0);
@@ -86,14 +86,14 @@ static void make_outward_box(fmb_tiny *t, const load_ends *e)
             }
             bool open = i < 0 || fmb_bits64(fmb_abs64(t->end[side][k])) > FMB_TINY_END_BITS;
             t->open[side] |= (unsigned)open << k;
-            if (open) /* counted all the same, and then left aside */
+            if (open) /* included in sums, and then ignored */
                 t->end[side][k] = 0;
         }
     }
 }
 
-/* Can all rows be taken? Their words, far apart in memory, are asked for on the way: at this size
- * waiting for them one by one would take longer than all the rest. */
+/* Do all rows fit the tables? Their words are far apart in memory and are prefetched meanwhile: at
+ * this size waiting for them one by one would take longer than all the rest. */
 static bool suits_the_stack(const fmb_system *s)
 {
     bool good = true;

@@ -1,7 +1,7 @@
 /* tiny_row.c: combinations of rows of a tiny elimination.
  *
- * Two rows whose bits add up to less than 62 can be combined as they are: each product is below
- * 2^61. Others are combined in 128 bits and divided by their content.
+ * Two rows whose bits add up to less than 62 can be combined directly: each product is below 2^61.
+ * Others are combined in 128 bits and divided by their content.
  */
 #include "elim/tiny/tiny_private.h"
 #include "num/gcd.h"
@@ -34,7 +34,7 @@ static bool divide_by_content(int64_t *out, const fmb_i128 *v, int n)
     return true;
 }
 
-/* out = f p + g q in 128 bits, divided by what divides it. */
+/* out = f p + g q in 128 bits, divided by its content; false if it does not fit. */
 static bool combine_in_128_bits(const fmb_tiny *t, int64_t *out, int p, int q, int64_t f, int64_t g)
 {
     const int64_t *a = t->now->a[p], *b = t->now->a[q];
