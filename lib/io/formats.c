@@ -1,5 +1,5 @@
-/* formats.c: texts in all formats: which one a text has, and systems and polyhedra from it and
- * back. To add a format: a folder of its own, and a line in the table.
+/* formats.c: reading and writing systems and polyhedra in all formats, and guessing the format of a
+ * text. To add a format: a folder of its own, and a line in the table.
  */
 #include <fmb/lift.h>
 #include <string.h>
@@ -19,7 +19,7 @@ typedef struct codec {
 
 /* ---- guessing -------------------------------------------------------------------------------- */
 
-/* Each format is known by lines that the others cannot have. */
+/* Each format is recognized by lines that the others cannot have. */
 
 /* Some line consists of exactly this word. */
 static bool has_line_of_word(fmb_cursor c, const char *word)
@@ -41,7 +41,7 @@ static bool sniffs_ine(const fmb_cursor *c)
            has_line_of_word(*c, "V-representation");
 }
 
-/* Of .ine texts: a V-representation. */
+/* Is the .ine text a V-representation? */
 static bool sniffs_generators(const fmb_cursor *c)
 {
     return has_line_of_word(*c, "V-representation");
@@ -52,7 +52,7 @@ static bool sniffs_ieq(const fmb_cursor *c)
     return has_line_of_word(*c, "INEQUALITIES_SECTION");
 }
 
-/* Past blank lines and lines that begin with this byte. */
+/* Skip blank lines and lines that begin with this byte. */
 static void skip_comment_lines(fmb_cursor *c, int mark)
 {
     fmb_skip_space(c);
@@ -62,7 +62,7 @@ static void skip_comment_lines(fmb_cursor *c, int mark)
     }
 }
 
-/* An S-expression whose head is a command. */
+/* Does the text begin with an S-expression whose head is a command? */
 static bool sniffs_smt2(const fmb_cursor *from)
 {
     static const char *const heads[] = {"set-",   "declare-", "define-", "assert",
@@ -83,12 +83,12 @@ static bool sniffs_mps(const fmb_cursor *c)
     return has_line_of_word(*c, "ROWS") && has_line_of_word(*c, "COLUMNS");
 }
 
-/* An objective first, and a section of rows somewhere. */
+/* Does the text begin with an objective, and have a section of rows? */
 static bool sniffs_lp(const fmb_cursor *from)
 {
     static const char *const heads[] = {"min", "max", "minimize", "maximize", "minimum", "maximum"};
     static const char *const rows[] = {"subject", "such", "st", "s.t.",
-                                       "st."}; /* two of two words */
+                                       "st."}; /* two have two words */
     bool objective = false, section = false;
     fmb_cursor c = *from;
     skip_comment_lines(&c, '\\');
@@ -172,8 +172,8 @@ fmb_format fmb_format_of_name(const char *path)
 
 /* ---- parsing --------------------------------------------------------------------------------- */
 
-/* Neither a row nor a variable was found: is that a system all the same? One in .ine tells its
- * size; of others nothing tells them from a file that was never written. */
+/* Is the text empty, with neither rows nor variables? In .ine a header makes it a system; in other
+ * formats it cannot be distinguished from a file that was never written. */
 static bool says_nothing(const codec *by, const fmb_system *s)
 {
     return fmb_system_rows(s) == 0 && fmb_system_dim(s) == 0 && by->format != FMB_FORMAT_INE;

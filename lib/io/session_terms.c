@@ -1,5 +1,4 @@
-/* session_terms.c: changes of a system that is loaded, in numbers that are text (<fmb/session.h>).
- */
+/* session_terms.c: changes of a loaded system, with numbers given as text (<fmb/session.h>). */
 #include <fmb/gmp.h>
 
 #include "io/terms.h"

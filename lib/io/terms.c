@@ -1,4 +1,4 @@
-/* terms.c: a row whose numbers are text, each by itself. */
+/* terms.c: a row whose numbers are given as texts. */
 #include "io/terms.h"
 
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "io/core/io_private.h"
 #include "system/system_private.h"
 
-/* Where the numbers of a row are read; the budget is that of the whole row. */
+/* The state of reading the numbers of a row, with one budget for all. */
 typedef struct row_of_text {
     char wrong[FMB_IO_WRONG_SIZE]; /* which number, and what was expected */
     fmb_mem mem;
@@ -22,7 +22,7 @@ static fmb_status read_whole_number(fmb_cursor *c, mpq_t out)
     return c->at < c->end ? fmb_io_expected(c, c->at, "the end of the number") : FMB_OK;
 }
 
-/* The number that a text is, with nothing around it; name says which one it is. */
+/* Read the number that is the whole text; name identifies it in messages. */
 static fmb_status read_number_of_row(row_of_text *r, const char *text, const char *name, mpq_t out)
 {
     static const fmb_reader plain;
@@ -52,7 +52,7 @@ static fmb_status read_terms(row_of_text *r, size_t n, const int *var, const cha
     return FMB_OK;
 }
 
-/* Which of the pointers is NULL that must not be; "" if none is. */
+/* Write which required pointer is NULL; "" if none is. */
 static void check_row_of_text(size_t n, const int *var, const char *const *coef, const char *b,
                               char wrong[FMB_IO_WRONG_SIZE])
 {

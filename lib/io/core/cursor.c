@@ -41,8 +41,8 @@ fmb_status fmb_io_fail_too_long(fmb_cursor *c, const char *p)
                        fmb_io_max_bytes(c->how));
 }
 
-/* Are eight bytes from p on all of 32 to 126? If so, their highest bits are 0, those of each plus 1
- * as well, and with that bit set 32 less leaves it set; and no byte lends to another. */
+/* Are all eight bytes from p on in 32 to 126? If so, their highest bits are 0, also after adding 1
+ * to each, and setting the highest bit and subtracting 32 keeps it set; no byte borrows. */
 static inline bool are_eight_plain(const char *p)
 {
     const uint64_t each = 0x0101010101010101, high = 0x80 * each;
@@ -180,8 +180,8 @@ const char *fmb_quote_name(const char *name, char buf[FMB_QUOTE])
 
 /* ---- places and messages --------------------------------------------------------------------- */
 
-/* Line and column of p. The last line found is remembered: places asked for in order cost one pass
- * over the text in all. */
+/* Find line and column of p. The last line found is kept: looking up places in order takes one pass
+ * over the text in total. */
 static void find_line_and_column(fmb_cursor *c, const char *p, fmb_where *w)
 {
     if (p < c->mark) {

@@ -1,11 +1,11 @@
-/* cursor.h: moving over a text, and saying where it goes wrong.
+/* cursor.h: a position in a text, with errors and warnings that name line and column.
  *
  * The text has been checked before (fmb_io_check): valid UTF-8, no NUL, no control bytes but blanks
- * and line ends. It need not end in NUL: look at c->at only while c->at < c->end (fmb_peek does).
+ * and line ends. It need not end in NUL: read c->at only while c->at < c->end (fmb_peek does).
  *
- * Cost: a short text must not become much memory. A number costs the digits that its exponent adds,
- * a row those that its common denominator adds; the sum is bounded by c->budget, a multiple of the
- * size of the text, and a text that spends more is malformed.
+ * Budget: a short text must not take much memory. A number is charged with the digits that its
+ * exponent adds, a row with those that its common denominator adds; the sum is bounded by
+ * c->budget, a multiple of the size of the text, and a text that exceeds it is malformed.
  */
 #ifndef FMB_IO_CURSOR_H
 #define FMB_IO_CURSOR_H
@@ -30,7 +30,7 @@ static inline int fmb_hex_value(int b)
     return fmb_is_digit(b) ? b - '0' : letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
 }
 
-/* Can a number with a sign begin so? */
+/* Can a signed number begin with this byte? */
 static inline bool fmb_starts_number(int b)
 {
     return fmb_is_digit(b) || b == '+' || b == '-' || b == '.';
@@ -40,7 +40,7 @@ static inline bool fmb_starts_number(int b)
  * for. */
 typedef struct fmb_cursor {
     const char *begin, *at, *end;
-    const char *mark; /* start of line number `line`, at or before the last place asked for */
+    const char *mark; /* start of line number `line`, at or before the last place looked up */
     long line;
     size_t tokens; /* read so far, by a lexer that counts them */
     size_t budget; /* decimal digits that the text may still grow by */
@@ -49,15 +49,15 @@ typedef struct fmb_cursor {
     fmb_where *where; /* never NULL */
 } fmb_cursor;
 
-/* What numbers of a text of so many bytes may come to [bytes]. */
+/* The budget for the numbers of a text of so many bytes [digits]. */
 size_t fmb_io_budget(size_t size);
-/* A cursor at the start of a text, behind a byte order mark. */
+/* A cursor at the start of a text, after a byte order mark if there is one. */
 fmb_cursor fmb_io_cursor(const char *text, size_t size, const fmb_reader *how, fmb_mem *mem,
                          fmb_where *where);
-/* Longest text of a reader, which may be NULL; a text that is longer. Errors: PARSE. */
+/* The size limit of a reader, which may be NULL; an error that the text is longer (PARSE). */
 size_t fmb_io_max_bytes(const fmb_reader *how);
 fmb_status fmb_io_fail_too_long(fmb_cursor *c, const char *p);
-/* Is it text, as said above? Errors: PARSE. */
+/* Check that it is text as described above. Errors: PARSE. */
 fmb_status fmb_io_check(fmb_cursor *c);
 
 /* Next byte, or -1 at the end. */
@@ -69,11 +69,11 @@ static inline int fmb_peek(const fmb_cursor *c)
 /* Skip blanks within the line (space, tab, CR, FF, VT); line ends too. */
 void fmb_skip_blanks(fmb_cursor *c);
 void fmb_skip_space(fmb_cursor *c);
-/* To the next line end (not past it); past it. */
+/* Move to the next line end (not past it). Below: past it. */
 void fmb_skip_line(fmb_cursor *c);
 void fmb_next_line(fmb_cursor *c);
 
-/* The text at c starts with this word / is now past it. Case matters. */
+/* If the text at c starts with this word, move past it. Case matters. */
 bool fmb_accept(fmb_cursor *c, const char *word);
 
 /* A piece of the text. */
@@ -84,18 +84,18 @@ typedef struct fmb_span {
 
 /* Bytes up to the next blank, line end or end (n may be 0). */
 fmb_span fmb_scan_word(fmb_cursor *c);
-/* The span is this word (case matters; or not). */
+/* Is the span this word? The second function ignores case. */
 bool fmb_span_is(fmb_span w, const char *word);
 bool fmb_span_is_nocase(fmb_span w, const char *word);
-/* What a message quotes of a text at p: the word there, cut short, or "end of file", "end of line".
- * buf is returned. */
+/* The quotation of the text at p for a message: the word there, shortened, or "end of file", "end
+ * of line". Returns buf. */
 #define FMB_QUOTE 48
 const char *fmb_quote(const fmb_cursor *c, const char *p, char buf[FMB_QUOTE]);
-/* The same of a name. */
+/* Like the function above, for a name. */
 const char *fmb_quote_name(const char *name, char buf[FMB_QUOTE]);
 
-/* Malformed at p (NULL: as a whole): fills *c->where and returns FMB_ERR_PARSE. Say what was
- * expected. The second says both itself: of "a relation", "expected a relation, found 'x'". */
+/* Malformed at p (NULL: as a whole): fills *c->where and returns FMB_ERR_PARSE. The second function
+ * completes "a relation" to "expected a relation, found 'x'". */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
@@ -106,15 +106,15 @@ __attribute__((format(printf, 3, 4)))
 #endif
 fmb_status
 fmb_io_expected(fmb_cursor *c, const char *p, const char *format, ...);
-/* ARG, and *where (may be NULL) says why. */
+/* Returns ARG; *where (may be NULL) gets the reason. */
 fmb_status fmb_io_refuse_argument(fmb_where *where, const char *error);
-/* The reader that is given, or one by default. Errors: ARG, told in *where. */
+/* Copy the given reader, or the default one. Errors: ARG, with the reason in *where. */
 fmb_status fmb_io_take_reader(const fmb_reader *how, fmb_reader *ours, fmb_where *where);
-/* The text at p grows by that many decimal digits. Errors: PARSE (beyond the budget). */
+/* Charge the budget with so many decimal digits for the text at p. Errors: PARSE (exceeded). */
 fmb_status fmb_io_charge(fmb_cursor *c, const char *p, size_t digits);
-/* Decimal digits of a rational, at least roughly; 0 for those that fit two machine words. */
+/* Roughly the decimal digits of a rational; 0 if it fits two machine words. */
 size_t fmb_io_digits(mpq_srcptr q);
-/* Something at p (NULL: the text as a whole) is ignored: tells how->warn. */
+/* Warn through how->warn that something at p (NULL: in the whole text) is ignored. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif

@@ -1,4 +1,4 @@
-/* draft.c: rows on their way into a system; see draft.h. */
+/* draft.c: rows under construction; see draft.h. */
 #include <string.h>
 
 #include "io/core/draft.h"
@@ -24,7 +24,7 @@ void fmb_draft_reset(fmb_draft *d)
     mpq_set_ui(d->rhs, 0, 1);
 }
 
-/* Half as much room again. The new coefficients come first: growing var cannot be undone. */
+/* Grow by half. The coefficients are allocated first, as growing var cannot be undone. */
 static fmb_status grow_draft_by_half(fmb_draft *d)
 {
     size_t capacity = d->capacity + d->capacity / 2 + 8;
@@ -69,8 +69,8 @@ void fmb_draft_negate(fmb_draft *d)
     mpq_neg(d->rhs, d->rhs);
 }
 
-/* Charge what the row grows by over its common denominator, every entry being multiplied by it. The
- * denominator is abandoned as soon as it is too long. */
+/* Charge the digits that the common denominator adds, as it multiplies every entry. The computation
+ * of the denominator stops as soon as it is too long. */
 static fmb_status charge_denominator(fmb_cursor *c, const char *p, const fmb_draft *d)
 {
     fmb_status st = FMB_OK;

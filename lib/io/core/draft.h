@@ -1,4 +1,4 @@
-/* draft.h: rows and names on their way into a system. */
+/* draft.h: a row under construction, and names taken from the text. */
 #ifndef FMB_IO_DRAFT_H
 #define FMB_IO_DRAFT_H
 
@@ -23,15 +23,15 @@ fmb_status fmb_draft_term(fmb_draft *d, int var, mpq_ptr *slot);
 /* One more term. Errors: MEMORY. */
 fmb_status fmb_draft_add(fmb_draft *d, int var, mpq_srcptr coef);
 void fmb_draft_negate(fmb_draft *d);
-/* Append the row to s; p is the place to blame if it outgrows the budget. Errors: MEMORY, PARSE. */
+/* Append the row to s; p: the place named if it exceeds the budget. Errors: MEMORY, PARSE. */
 fmb_status fmb_draft_append(fmb_cursor *c, const char *p, const fmb_draft *d, fmb_rel rel,
                             fmb_system *s);
 
-/* The sum less its right side becomes the objective of s; p as above. Errors: MEMORY, PARSE. */
+/* Make the sum minus its right side the objective of s; p as above. Errors: MEMORY, PARSE. */
 fmb_status fmb_draft_set_objective(fmb_cursor *c, const char *p, const fmb_draft *d,
                                    fmb_sense sense, fmb_system *s);
 
-/* Append a variable, or find it, by a name that is a piece of text. Errors: MEMORY. */
+/* Find the variable with this name, or append it. Errors: MEMORY. */
 fmb_status fmb_span_variable(fmb_cursor *c, fmb_span name, fmb_system *s, int *index);
 /* Index of the variable of that name, or -1 in *index. Errors: MEMORY. */
 fmb_status fmb_span_find(fmb_cursor *c, fmb_span name, const fmb_system *s, int *index);
@@ -40,7 +40,7 @@ fmb_status fmb_span_label(fmb_cursor *c, fmb_span label, fmb_system *s, size_t i
 
 /* A header may declare at most this many variables beyond one for each byte of the text. */
 #define FMB_IO_FREE_VARIABLES 100000
-/* n variables with default names, as a header at p declares. Errors: MEMORY, PARSE. */
+/* Append n variables with default names, declared by a header at p. Errors: MEMORY, PARSE. */
 fmb_status fmb_io_declare(fmb_cursor *c, const char *p, size_t n, fmb_system *s);
 
 #endif

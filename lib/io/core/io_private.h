@@ -1,4 +1,4 @@
-/* io_private.h: what a format is written against, and what it gives: a reader, a writer, or both.
+/* io_private.h: the interface of a format: a reader, a writer, or both.
  *
  * A reader gets a cursor at the start of a text and an empty system, and returns FMB_OK,
  * FMB_ERR_MEMORY or FMB_ERR_PARSE (through fmb_io_fail, which says where and what was expected).

@@ -59,7 +59,7 @@ static void scan_exponent(fmb_cursor *c, int flags, decimal *d)
         d->exponent = -d->exponent;
 }
 
-/* False (and c where it was) if no number is here. */
+/* False, with c unchanged, if there is no number at c. */
 static bool scan_unsigned_decimal(fmb_cursor *c, int flags, decimal *d)
 {
     *d = (decimal){.p = c->at};
@@ -79,8 +79,8 @@ static bool scan_unsigned_decimal(fmb_cursor *c, int flags, decimal *d)
     return true;
 }
 
-/* All digits as one integer z, and the power of ten to multiply it with. If that is negative, zeros
- * at the end of z are cancelled with it: then ten does not divide z. */
+/* All digits as one integer z, and the power of ten that it is multiplied by. If the power is
+ * negative, trailing zeros of z are cancelled against it: then ten does not divide z. */
 static fmb_status join_decimal_digits(const decimal *d, fmb_mem *mem, mpz_t z, long *power)
 {
     char small[64], *text = small;
@@ -115,8 +115,8 @@ static unsigned long divide_out_fives(mpz_t z, unsigned long k)
     return f;
 }
 
-/* q = z 10^power, where ten does not divide z if power < 0. 10^k = 2^k 5^k, and only one of these
- * primes can divide z, so the fraction is canonical once that one is cancelled. */
+/* q = z 10^power, where ten does not divide z if power < 0. As 10^k = 2^k 5^k and only one of the
+ * primes 2 and 5 can divide z, the fraction is canonical once that prime is cancelled. */
 static void scale_by_power_of_ten(mpq_t q, long power)
 {
     mpz_ptr z = mpq_numref(q), den = mpq_denref(q);
@@ -153,7 +153,7 @@ static fmb_status value_of_decimal(fmb_cursor *c, const decimal *d, mpq_t out)
     return FMB_OK;
 }
 
-/* The part behind '/', if a number is there. */
+/* Read the denominator after '/', if there is a number. */
 static fmb_status scan_denominator(fmb_cursor *c, int flags, mpq_t out)
 {
     const char *slash = c->at;
@@ -176,7 +176,7 @@ static fmb_status scan_denominator(fmb_cursor *c, int flags, mpq_t out)
     return st;
 }
 
-/* A number of a few digits, as nearly all are; false, and c where it was, where it may be none. */
+/* Read a number of few digits, as nearly all are; false, with c unchanged, if it may be none. */
 static bool scan_short_number(fmb_cursor *c, int flags, mpq_t out)
 {
     const int all = FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT;

@@ -1,4 +1,4 @@
-/* number.h: exact numbers from and to text, and texts in quotes. */
+/* number.h: exact numbers from and to text, and quoted texts. */
 #ifndef FMB_IO_NUMBER_H
 #define FMB_IO_NUMBER_H
 
@@ -17,23 +17,22 @@ enum {
 /* The exact value of the number at c, canonical; c is then past it. what names it in messages ("a
  * coefficient"). Errors: PARSE (no number here, zero denominator, too many digits). */
 fmb_status fmb_scan_number(fmb_cursor *c, int flags, const char *what, mpq_t out);
-/* The double nearest to q, of two that are equally near the even one; infinite beyond the largest.
- * *exact: it is q. */
+/* The double nearest to q, ties to even; infinite beyond the largest. *exact: it equals q. */
 double fmb_io_nearest(mpq_srcptr q, bool *exact);
 /* The double nearest to the number at c, with sign, point and exponent. Errors: PARSE (as above,
  * beyond all doubles). */
 fmb_status fmb_scan_nearest(fmb_cursor *c, const char *what, double *out);
-/* Digits of a count or index, at most max. Errors: PARSE. */
+/* Read a count or index, at most max. Errors: PARSE. */
 fmb_status fmb_scan_count(fmb_cursor *c, size_t max, const char *what, size_t *out);
 /* Write q: "3", "-1/2". */
 void fmb_print_q(FILE *out, mpq_srcptr q);
 
 /* ---- names and labels in quotes ----------------------------------------------------------------
  *
- * \" is a quote, \\ a backslash, \x41 a byte other than 0. Any text can be written so on one line,
- * in UTF-8 that a terminal may show. */
+ * \" is a quote, \\ a backslash, \x41 a byte other than 0. So any text can be written on one line,
+ * in UTF-8 that is safe on a terminal. */
 
-/* Room for a text with its escapes undone; the owner frees p. */
+/* A buffer for an unescaped text; the owner frees p. */
 typedef struct fmb_room {
     char *p;
     size_t capacity;
@@ -41,8 +40,7 @@ typedef struct fmb_room {
 
 /* The quoted text at c, on one line; it lives until room is used again. Errors: PARSE, MEMORY. */
 fmb_status fmb_scan_quoted(fmb_cursor *c, fmb_room *room, fmb_span *out);
-/* text in quotes, with escapes for quotes, backslashes, control characters and what is not UTF-8.
- */
+/* Write text in quotes; quotes, backslashes, control characters and invalid UTF-8 are escaped. */
 void fmb_print_quoted(const char *text, FILE *out);
 
 #endif

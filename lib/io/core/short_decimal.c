@@ -1,8 +1,8 @@
 /* short_decimal.c: see short_decimal.h.
  *
- * 10^k = 2^k 5^k, and 5^27 is the largest power of five that 64 bits hold: up to there a decimal is
- * a product or a quotient of machine words. A quotient is guessed first, by the reciprocal of its
- * denominator, which tells the nearest double but for a few in a thousand.
+ * 10^k = 2^k 5^k, and 5^27 is the largest power of five that fits 64 bits: up to it a decimal is a
+ * product or a quotient of machine words. A quotient is first approximated by the reciprocal of its
+ * denominator, which gives the nearest double in all but a few of a thousand cases.
  *
  * Sources: Clinger 1990 (doi 10.1145/93542.93557), where both numbers are doubles; Lemire 2021
  * (doi 10.1002/spe.2984), reciprocals.
@@ -84,7 +84,7 @@ static inline uint64_t join_eight_digits(uint64_t w)
     return (10000 * w + (w >> 32)) & 0xffffffff;
 }
 
-/* The end of the digits at p; *z has them behind its own, modulo 2^64. */
+/* Append the digits at p to the decimal *z, modulo 2^64; returns their end. */
 static inline const char *append_digits(const char *p, const char *end, uint64_t *z)
 {
     static const uint64_t shifted[9] = {1,      10,      100,      1000,     10000,
@@ -103,7 +103,7 @@ static inline const char *append_digits(const char *p, const char *end, uint64_t
     return p;
 }
 
-/* Are all but so many of the digits that are written from p on zeros in front? */
+/* Of `written` digits from p on, are all but the last `most` leading zeros? */
 static bool are_others_zeros(const char *p, ptrdiff_t written, ptrdiff_t most)
 {
     for (; written > most && (*p == '0' || *p == '.'); p++)
@@ -130,7 +130,7 @@ static bool scan_short_exponent(const char **at, const char *end, int *out)
     return p > first && p - first < 4;
 }
 
-/* Mostly there is one digit in front of a point. */
+/* Append the first digits; mostly there is one digit before the point. */
 static inline const char *append_first_digits(const char *p, const char *end, uint64_t *z)
 {
     if (end - p < 2 || p[1] != '.' || !fmb_is_digit(*p))
@@ -209,10 +209,10 @@ static double divide_by_power_of_ten(uint64_t z, int k)
     return round_to_double(q, !fmb_u128_is_zero(rest), -shift - k);
 }
 
-/* The same by the reciprocal r = inverse 2^(1 - 64 - bits), r <= 5^-k < r + 2^(1 - 64 - bits). With
- * z shifted so that its highest bit is set, high 2^64 <= z inverse < (high + 1) 2^64, and the
- * number that inverse should be is less than 1 larger: in units of 2^64 the product lies in
- * [high, high + 2). False if the nearest double is not the same all over there. */
+/* z 10^-k by the reciprocal r = inverse 2^(1 - 64 - bits), r <= 5^-k < r + 2^(1 - 64 - bits). With
+ * z shifted so that its highest bit is set, high 2^64 <= z inverse < (high + 1) 2^64, and the exact
+ * inverse is less than 1 larger: in units of 2^64 the exact product lies in [high, high + 2). False
+ * if the numbers of this interval do not all have the same nearest double. */
 static inline bool multiply_by_reciprocal(uint64_t z, int k, double *out)
 {
     const struct power_of_five *five = &power_of_five[k];

@@ -1,5 +1,5 @@
-/* short_decimal.h: decimals whose digits fit a machine word, which nearly all numbers of a text
- * are: read in one pass, and made doubles or rationals without any other number in between. */
+/* short_decimal.h: decimals whose digits fit a machine word, as nearly all numbers of a text do:
+ * read in one pass, and converted directly to doubles or rationals. */
 #ifndef FMB_IO_SHORT_DECIMAL_H
 #define FMB_IO_SHORT_DECIMAL_H
 
@@ -9,20 +9,19 @@
 typedef struct fmb_short_decimal {
     uint64_t z; /* < 10^19 */
     int power;
-    int exponent; /* of it, what is written as such */
+    int exponent; /* the part of power that is written as an exponent */
     bool minus;
 } fmb_short_decimal;
 
-/* The number at c, which is then past it; false, and c where it was, if it has more digits, or is
- * something else. strictly: as JSON has them, with no '+', digits on both sides of a point, and no
- * zeros in front. */
+/* Read the number at c, and move past it; false, with c unchanged, if it has more digits, or is no
+ * number. strictly: as in JSON, with no '+', digits on both sides of a point, and no leading zeros.
+ */
 bool fmb_scan_short_decimal(fmb_cursor *c, bool strictly, fmb_short_decimal *out);
 
-/* The double nearest to d, of two that are equally near the even one; false, and nothing is said,
- * where the power is large. */
+/* The double nearest to d, ties to even; false, with *out undefined, where the power is large. */
 bool fmb_short_decimal_nearest(const fmb_short_decimal *d, double *out);
 
-/* d itself, canonical; *exact: it is a double. False, and nothing is said, as above. */
+/* The exact value of d, canonical; *exact: it is a double. False: as above. */
 bool fmb_short_decimal_value(const fmb_short_decimal *d, mpq_t out, bool *exact);
 
 #endif

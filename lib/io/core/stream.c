@@ -8,7 +8,7 @@ typedef struct fmb_bytes {
     size_t size, capacity;
 } fmb_bytes;
 
-/* All of a stream, or one byte more than most, behind what is there. */
+/* Append all of a stream to b, or the first most + 1 bytes of it. */
 static fmb_status read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *mem)
 {
     while (b->size <= most) {

@@ -107,7 +107,7 @@ static fmb_status read_frame_corner(void *reader, fmb_cursor *c)
     return fmb_frame_reader_point(r, c, &r->now->axes);
 }
 
-/* Only the number of a hull's is not limited, and the type may stand behind them. */
+/* Only a hull may have any number of corners; the member "type" may follow later. */
 static fmb_status read_frame_corners(void *reader, fmb_cursor *c)
 {
     return fmb_json_array(c, "an array of points", read_frame_corner, reader);
@@ -118,7 +118,7 @@ static fmb_status read_frame_axes(void *reader, fmb_cursor *c)
     return fmb_json_array(c, "an array of edges", read_frame_axis, reader);
 }
 
-/* A speed that is 0 is none. */
+/* A speed of zeros is the same as no speed. */
 static fmb_status read_frame_speed(void *reader, fmb_cursor *c)
 {
     fmb_frame_reader *r = reader;

@@ -1,7 +1,7 @@
-/* frame_reader.h: inside of the reader of pairs of frames.
+/* frame_reader.h: the state of the reader of pairs of frames.
  *
- * Arrays are kept from line to line, and so are their rationals: only a line that is longer than
- * all before it allocates.
+ * Arrays and their rationals are reused from line to line: only a line longer than all before it
+ * allocates.
  */
 #ifndef FMB_IO_FRAMES_FRAME_READER_H
 #define FMB_IO_FRAMES_FRAME_READER_H
@@ -11,15 +11,15 @@
 #include "io/frames/json.h"
 #include "io/frames/packed_lines.h"
 
-/* Numbers as they come, as the nearest doubles and exactly, the latter where they are more than
- * doubles or asked for. q[0..capacity) are initialised. */
+/* Numbers in the order read: as the nearest doubles, and exactly where they are not doubles or
+ * rationals are wanted. q[0..capacity) are initialised. */
 typedef struct fmb_numbers {
     mpq_t *q;
     double *d;
     size_t n, capacity, d_capacity;
 } fmb_numbers;
 
-/* A body while it is read. */
+/* A body being read. */
 typedef struct fmb_body_draft {
     fmb_numbers origin, axes, speed, coefficients; /* coefficients: of one row */
     fmb_shape shape;
@@ -33,22 +33,22 @@ struct fmb_frame_reader {
     fmb_alloc hook;
     fmb_reader how;
     FILE *in;
-    bool owns_in; /* a stream over text in memory */
+    bool owns_in; /* in was opened here, over text in memory */
     atomic_int cancel;
     char *text; /* the line, with its end */
     size_t size, capacity;
     char *id;
     size_t id_capacity;
     fmb_frame_line line;
-    bool is_packed, is_over; /* in binary; which came to its end, or to a mistake */
+    bool is_packed, is_over; /* binary input; it has ended, or had an error */
     fmb_packed_block block;
-    uint32_t left; /* pairs of the block */
-    /* of the line that is being read: */
+    uint32_t left; /* unread pairs of the block */
+    /* of the line being read: */
     fmb_body_draft body[2], *now;
     int dim;            /* of the pair; 0: not known yet */
     bool exact;         /* all numbers so far are doubles */
-    size_t digits;      /* in long numbers, roughly */
-    size_t numbers;     /* all of them */
+    size_t digits;      /* of long numbers, roughly */
+    size_t numbers;     /* their count */
     fmb_numbers *point; /* where the numbers of an array go */
     fmb_draft row;      /* of a polytope */
     fmb_rel rel;        /* its relation */
@@ -60,7 +60,7 @@ static inline fmb_status fmb_frame_reader_poll(const fmb_frame_reader *r)
     return atomic_load_explicit(&r->cancel, memory_order_relaxed) ? FMB_LIMIT : FMB_OK;
 }
 
-/* Numbers are read as doubles, which a line has without rationals. */
+/* Are numbers read as nearest doubles only, without rationals? */
 static inline bool fmb_frame_reader_are_nearest(const fmb_frame_reader *r)
 {
     return r->is_packed || r->how.nearest;
@@ -68,17 +68,16 @@ static inline bool fmb_frame_reader_are_nearest(const fmb_frame_reader *r)
 
 /* The number at c. Errors: PARSE. */
 fmb_status fmb_frame_reader_value(fmb_frame_reader *r, fmb_cursor *c, mpq_t out);
-/* An array of dim numbers, behind those that are there. Errors: PARSE, MEMORY, LIMIT. */
+/* Read an array of dim numbers and append them to *to. Errors: PARSE, MEMORY, LIMIT. */
 fmb_status fmb_frame_reader_point(fmb_frame_reader *r, fmb_cursor *c, fmb_numbers *to);
-/* Rationals of the doubles. Errors: MEMORY. */
+/* Set the rationals from the doubles. Errors: MEMORY. */
 fmb_status fmb_numbers_rationals(fmb_numbers *a, fmb_mem *mem);
 void fmb_numbers_clear(fmb_numbers *a, fmb_mem *mem);
 
-/* The next pair of those in binary into r->body, if there is one. Errors: PARSE, MEMORY, LIMIT, IO.
- */
+/* Read the next binary pair into r->body, if there is one. Errors: PARSE, MEMORY, LIMIT, IO. */
 fmb_status fmb_frame_reader_fetch_packed(fmb_frame_reader *r, bool *found, fmb_where *where);
 
-/* The body at c into *r->now. Errors: PARSE, MEMORY, LIMIT. */
+/* Read the body at c into *r->now. Errors: PARSE, MEMORY, LIMIT. */
 fmb_status fmb_frame_reader_body(fmb_frame_reader *r, fmb_cursor *c);
 
 #endif

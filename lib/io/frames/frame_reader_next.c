@@ -37,7 +37,7 @@ static fmb_status read_second_body(void *reader, fmb_cursor *c)
     return fmb_frame_reader_body(r, c);
 }
 
-/* All numbers of one world axis get a common denominator, as long as all theirs together. */
+/* Charge for the common denominator of each world axis, at most as long as all its denominators. */
 static fmb_status charge_common_denominators(fmb_frame_reader *r, fmb_cursor *c, const char *p)
 {
     size_t each = r->numbers / (size_t)r->dim + 1;
@@ -80,7 +80,7 @@ static void publish_body(fmb_frame_reader *r, int k)
         (fmb_frame){b->shape, r->dim, b->naxes, b->origin.d, b->axes.d, moves ? b->speed.d : NULL};
 }
 
-/* Of doubles alone there are none until they are asked for. */
+/* If all numbers are doubles, rationals are made only on demand. */
 static void withhold_rationals(fmb_frame_line *line)
 {
     for (int k = 0; k < 2; k++) {
@@ -114,8 +114,8 @@ fmb_status fmb_frame_reader_rationals(fmb_frame_reader *r)
 
 /* ---- lines ----------------------------------------------------------------------------------- */
 
-/* The next line, with its end; size 0 at the end of the stream. Of a line that is too long, one
- * byte more than the limit is kept. */
+/* Read the next line, with its end; size 0 at the end of the stream. Of a line that is too long,
+ * limit + 1 bytes are kept. */
 static fmb_status fetch_line_of_stream(fmb_frame_reader *r)
 {
     enum { LEAST = 1024, MOST = 1 << 30 };
@@ -153,7 +153,7 @@ static fmb_status parse_pair_line(fmb_frame_reader *r, bool *blank, fmb_where *w
     return st;
 }
 
-/* The first byte tells what all of it is. */
+/* The first byte decides whether the whole stream is binary. */
 static void sniff_binary(fmb_frame_reader *r)
 {
     int b = getc(r->in);

@@ -12,7 +12,7 @@ static fmb_status fail_in_pair(fmb_frame_reader *r, fmb_where *where, const char
     return FMB_ERR_PARSE;
 }
 
-/* Up to n bytes into r->text; memory grows with what comes. */
+/* Read up to n bytes into r->text; memory grows with the bytes read. */
 static fmb_status fetch_bytes(fmb_frame_reader *r, size_t n)
 {
     enum { PORTION = 1 << 16 };
@@ -29,7 +29,7 @@ static fmb_status fetch_bytes(fmb_frame_reader *r, size_t n)
     return st == FMB_OK && ferror(r->in) ? FMB_ERR_IO : st;
 }
 
-/* The next block that has pairs; none at the end. */
+/* Read the header of the next block that has pairs; none at the end. */
 static fmb_status fetch_header(fmb_frame_reader *r, fmb_where *where)
 {
     while (r->left == 0 && !r->is_over) {

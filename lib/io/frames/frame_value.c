@@ -90,8 +90,8 @@ static fmb_status read_array_number(void *reader, fmb_cursor *c)
     return FMB_OK;
 }
 
-/* The same of doubles that have few digits and find room, which is nearly always so: quickly.
- * False, and nothing was read, if something else comes. */
+/* A fast path for an array of doubles with few digits, for which there is room, the usual case.
+ * False, with nothing read, for anything else. */
 static bool read_array_of_short_doubles(fmb_frame_reader *r, fmb_cursor *c, fmb_numbers *to)
 {
     const char *start = c->at;
@@ -116,7 +116,7 @@ static bool read_array_of_short_doubles(fmb_frame_reader *r, fmb_cursor *c, fmb_
     return false;
 }
 
-/* As many numbers as in the arrays before; the first one says how many that is. */
+/* All arrays of a pair must have the same size; the first one sets it. */
 fmb_status fmb_frame_reader_point(fmb_frame_reader *r, fmb_cursor *c, fmb_numbers *to)
 {
     fmb_json_blanks(c);

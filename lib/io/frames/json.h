@@ -1,15 +1,15 @@
-/* json.h: JSON while it is read: one value on one line, strictly (RFC 8259), on a cursor.
+/* json.h: a strict JSON reader (RFC 8259) on a cursor, for one value on one line.
  *
- * Objects are read by tables of keys. A key that is in the table may come once; other members are
- * passed over, whatever they hold. All functions fail with PARSE, at the place that is wrong, or
- * with what a reader of the caller's returns.
+ * Objects are read by tables of keys. A key in the table may occur once; other members are skipped.
+ * All functions fail with PARSE, at the place of the error, or with the error of a reader in the
+ * table.
  */
 #ifndef FMB_IO_JSON_H
 #define FMB_IO_JSON_H
 
 #include "io/core/io_private.h"
 
-/* Objects and arrays inside each other, where they are passed over. */
+/* The deepest nesting of objects and arrays in skipped values. */
 #define FMB_JSON_DEPTH 100
 
 static inline void fmb_json_blanks(fmb_cursor *c)
@@ -32,16 +32,16 @@ fmb_status fmb_json_object(fmb_cursor *c, const char *what, const fmb_json_key *
 /* [...] */
 fmb_status fmb_json_array(fmb_cursor *c, const char *what, fmb_json_read *item, void *self);
 
-/* "...": what stands between the quotes, its escapes not undone. */
+/* "...": the text between the quotes, with its escapes. */
 fmb_status fmb_json_string(fmb_cursor *c, const char *what, fmb_span *out);
-/* Does it spell the ASCII word, which has no backslash, with its escapes undone? */
+/* Is text, unescaped, this ASCII word, which has no backslash? */
 bool fmb_json_spells(fmb_span text, const char *word);
 
 /* The exact value of a number, or of a rational in a string ("-1/3"). */
 fmb_status fmb_json_number(fmb_cursor *c, const char *what, mpq_t out);
 
-/* Is null here? c is then past it. */
+/* Is there a null at c? Then move past it. */
 bool fmb_json_null(fmb_cursor *c);
-/* Any value. */
+/* Skip any value. */
 fmb_status fmb_json_skip(fmb_cursor *c);
 #endif

@@ -4,12 +4,12 @@
 
 #include <fmb/pair.h>
 
-/* Most numbers of a point: products of two such are an int. */
+/* The largest dimension: products of two dimensions fit an int. */
 #define FMB_FRAMES_DIM 10000
 
 enum { FMB_PACKED_HEADER = 32 }; /* [bytes] */
 
-/* What stands in front of pairs that are alike. */
+/* The header of a block of pairs with the same layout. */
 typedef struct fmb_packed_block {
     uint32_t dim, naxes[2], pairs;
     uint8_t size;     /* of a number [bytes]: 4 or 8 */
@@ -17,7 +17,7 @@ typedef struct fmb_packed_block {
     bool moves[2];
 } fmb_packed_block;
 
-/* NULL, or what is wrong with these FMB_PACKED_HEADER bytes ("dimension"). */
+/* Decode a header of FMB_PACKED_HEADER bytes. NULL, or the wrong field ("dimension"). */
 const char *fmb_packed_decode(const unsigned char *from, fmb_packed_block *out);
 /* Numbers of frame k. */
 static inline size_t fmb_packed_numbers(const fmb_packed_block *b, int k)
@@ -25,7 +25,7 @@ static inline size_t fmb_packed_numbers(const fmb_packed_block *b, int k)
     return (size_t)b->dim * (1 + (size_t)b->naxes[k] + (b->moves[k] ? 1 : 0));
 }
 
-/* n little-endian numbers of that size. */
+/* Read n little-endian numbers of that size [bytes]. */
 void fmb_packed_read(const unsigned char *from, int size, size_t n, double *to);
 
 #endif

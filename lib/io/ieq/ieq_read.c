@@ -3,7 +3,7 @@
  *   DIM = n, then sections, then INEQUALITIES_SECTION with a row a line, "(3) +2x1-1/2x4 <= 1", END
  *
  * Bounds are those of the integer points that PORTA counts, not of the polyhedron: they are
- * ignored with a warning. ELIMINATION_ORDER has a number for each variable, 0 for those that stay.
+ * ignored with a warning. ELIMINATION_ORDER has a number for each variable, 0 for kept ones.
  * Source: T. Christof, A. Loebel, PORTA 1.4, man page "porta".
  */
 #include "io/core/cursor.h"
@@ -31,7 +31,7 @@ static fmb_status read_variable_index(ieq *f, int *j)
     return FMB_OK;
 }
 
-/* A number, a variable, or both, into the draft: a constant goes to the right side. */
+/* Read a number, a variable, or both, into the draft: a constant is moved to the right side. */
 static fmb_status read_term_or_constant(ieq *f, bool minus)
 {
     fmb_cursor *c = f->c;
@@ -53,7 +53,7 @@ static fmb_status read_term_or_constant(ieq *f, bool minus)
     return st == FMB_OK ? fmb_draft_add(&f->d, j, f->value) : st;
 }
 
-/* Items with signs between them; right: they stand on the right side. */
+/* Read items with signs between them; right: of the right side. */
 static fmb_status read_side_of_row(ieq *f, bool right)
 {
     fmb_cursor *c = f->c;

@@ -1,12 +1,12 @@
-/* ine.h: a cddlib/lrslib file while it is read: what its lines ask for, kept until all rows are
- * there.
+/* ine.h: the state of reading a cddlib/lrslib file: the options of its lines are kept until all
+ * rows have been read.
  */
 #ifndef FMB_IO_INE_H
 #define FMB_IO_INE_H
 
 #include "io/core/io_private.h"
 
-/* A number of a list, and where it stands. */
+/* A number of a list, and its place in the text. */
 typedef struct fmb_ine_item {
     size_t index; /* from 1 */
     const char *at;
@@ -22,28 +22,28 @@ typedef struct fmb_ine {
     fmb_system *s;
     fmb_ine_list linear, strict; /* rows */
     fmb_ine_list marks;          /* variables of the project or eliminate line */
-    const char *asked;           /* that line, or NULL */
+    const char *asked;           /* the place of that line, or NULL */
     const char *matrix;          /* the line "begin" */
-    bool marks_keep;             /* it was project */
+    bool marks_keep;             /* that line was project */
     bool generators;             /* rows are vertices and rays: (1, x) and (0, x) */
     fmb_sense sense;
-    const char *objective; /* behind the word maximize or minimize; NULL: there is none */
+    const char *objective; /* after the word maximize or minimize; NULL: there is none */
 } fmb_ine;
 
-/* Takes the line at c if it is an option of the table; *known says whether it was. c is then at the
- * start of a line. */
+/* Reads the line at c if it is an option in the table; *known: it was. c is then at the start of a
+ * line. */
 fmb_status fmb_ine_option(fmb_ine *f, bool *known);
 /* Read the whole text; a row (b, a) of the matrix becomes -a.x <= b, or = where it is on the
  * linearity line. */
 fmb_status fmb_ine_read(fmb_ine *f);
-/* A number with a blank or an end behind it. Errors: PARSE. */
+/* Read a number that ends at a blank or an end. Errors: PARSE. */
 fmb_status fmb_ine_number(fmb_cursor *c, mpq_t out);
-/* Past the rest of this line and lines of numbers, the arguments of an option. */
+/* Skip the arguments of an option: the rest of this line, and lines of numbers. */
 void fmb_ine_skip_arguments(fmb_cursor *c);
-/* Names and labels in comments before the matrix, now that rows and variables are known. Errors:
+/* Read names and labels from comments before the matrix, once rows and variables are known. Errors:
  * MEMORY. */
 fmb_status fmb_ine_take_names(fmb_ine *f);
-/* Carry out what was asked for, now that rows and variables are known. */
+/* Apply the options that were read, once rows and variables are known. */
 fmb_status fmb_ine_finish(fmb_ine *f);
 void fmb_ine_clear(fmb_ine *f);
 

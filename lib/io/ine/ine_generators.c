@@ -1,6 +1,6 @@
 /* ine_generators.c: V-representations of cddlib and lrslib: (1, x) is a vertex, (0, x) a ray, and a
- * row of the linearity line a line. Read as rows -x.y <= 1 or 0, and turned into what they stand
- * for.
+ * row of the linearity line a line. They are read as rows -x.y <= 1 or 0, and then converted to
+ * generators.
  */
 #include <fmb/gmp.h>
 

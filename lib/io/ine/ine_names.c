@@ -1,10 +1,10 @@
-/* ine_names.c: names of variables and labels of rows, in comments that cddlib and lrslib pass over:
+/* ine_names.c: names of variables and labels of rows, in comments that cddlib and lrslib skip:
  *
  *   * x2 is "milk"
  *   * row 3 is "cap"
  *
- * They stand before `begin`, a line each, and mean so only with the quotes: other comments are for
- * people. One that cannot be obeyed (no such row, a name that is taken) is ignored with a warning.
+ * They are before `begin`, one per line, and count only with the quotes: other comments are for
+ * people. An impossible one (no such row, a name that is taken) is ignored with a warning.
  */
 #include "io/core/cursor.h"
 #include "io/core/number.h"
@@ -76,7 +76,7 @@ static fmb_status read_comments(fmb_ine *f, const char **quote, fmb_room *room, 
     return st;
 }
 
-/* All variables anew, as a name may be the default name of another one. */
+/* Name all variables anew, as a name may be the default name of another variable. */
 static fmb_status name_variables(fmb_ine *f, const char *const *quote, int dim, fmb_room *room)
 {
     fmb_system *s = f->s;

@@ -1,8 +1,8 @@
 /* ine_options.c: the lines around the matrix of a cddlib/lrslib file; see ine.h.
  *
- * What changes the set of solutions or names variables is obeyed. Commands to those programs
- * (redund, verbose, ...) say nothing about the system and are passed over. Ignored with a warning
- * is lrslib's `nonnegative`, which cddlib does not know: the rows of the matrix are what both read.
+ * Options that change the set of solutions or name variables are applied. Commands to those
+ * programs (redund, verbose, ...) do not describe the system and are skipped. lrslib's
+ * `nonnegative`, which cddlib does not know, is ignored with a warning: both read the matrix alike.
  */
 #include "io/core/cursor.h"
 #include "io/ine/ine.h"
@@ -96,7 +96,7 @@ static fmb_status ignore_nonnegative(fmb_ine *f, const char *line)
     return FMB_OK;
 }
 
-/* Its numbers are read once it is known how many they are. */
+/* Note the objective; its numbers are read once their count is known. */
 static fmb_status take_ine_objective(fmb_ine *f, const char *line, fmb_sense sense)
 {
     if (f->objective)

@@ -1,7 +1,7 @@
 /* ine_read.c: H-representations of cddlib and lrslib: b + a.x >= 0.
  *
- * Rows count by their numbers, not by lines. The sizes of the header are only compared with what is
- * there: memory follows the numbers read.
+ * Rows are delimited by counts of numbers, not by lines. The sizes in the header are only compared
+ * with the data: memory grows with the numbers read.
  * Source: K. Fukuda, cddlib reference manual 0.94, section 4; D. Avis, lrslib user's guide 7.
  */
 #include "io/core/cursor.h"
@@ -21,7 +21,7 @@ static void skip_star_comments(fmb_cursor *c)
 
 typedef struct shape {
     size_t rows, columns;
-    bool open; /* the number of rows is written "*****": as many as there are */
+    bool open; /* the number of rows is written "*****": any number */
     const char *at;
 } shape;
 
@@ -135,8 +135,8 @@ static fmb_status read_matrix_rows(fmb_ine *f, const shape *h)
     return st;
 }
 
-/* cddlib and lrslib read as many rows as the header says and leave the others: so whole rows are
- * ignored with a warning. */
+/* cddlib and lrslib read as many rows as the header says and ignore the rest: so surplus whole rows
+ * are ignored with a warning. */
 static fmb_status skip_surplus_rows(fmb_cursor *c, const shape *h)
 {
     size_t n = 0;

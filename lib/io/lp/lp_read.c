@@ -5,9 +5,9 @@
  *   others:     "bounds" {row of one variable | name "free"}, "general" {name}, "binary" {name},
  *               in any order; "end"
  *
- * A line may be broken anywhere but in one place: behind `sum REL`, what begins a new line begins a
- * new row, or `x <= 3` and `y >= 1` below it would be one. Variables start at 0; binary ones end at
- * 1 unless bounds say otherwise; of several bounds the last counts.
+ * A row may be broken into lines anywhere, with one exception: after `sum REL sum`, a new line
+ * begins a new row, else `x <= 3` and `y >= 1` below it would be one. Variables have the lower
+ * bound 0, binary ones the upper bound 1 unless bounds differ; the last of several bounds counts.
  *
  * Sources: as in token.h.
  */
@@ -21,12 +21,12 @@ typedef struct lp_reader {
     mpq_t value;   /* of the next token, if it is a number */
     fmb_draft row; /* the one that is being read */
     const char *at;
-    fmb_program_end end[2]; /* of it */
+    fmb_program_end end[2]; /* of the row */
     mpq_t scratch;
     int infinite; /* the sum last read: -1, 1, or 0 for a finite one */
 } lp_reader;
 
-/* A keyword inside a line that is the name of a variable is that. */
+/* Read the next token. A keyword inside a line that is the name of a variable is a name. */
 static fmb_status next_lp_token(lp_reader *r)
 {
     fmb_lp_token *t = &r->next;
@@ -55,7 +55,7 @@ static bool is_infinity(const fmb_lp_token *t)
 
 /* ---- sums ------------------------------------------------------------------------------------ */
 
-/* How far a sum goes: over all lines, to the end of its line, over its numbers alone. */
+/* The extent of a sum: over all lines, to the end of its line, over numbers only. */
 typedef enum lp_reach { LP_ALL_LINES, LP_ONE_LINE, LP_NUMBERS } lp_reach;
 
 static bool has_variable_next(const lp_reader *r, lp_reach reach, bool inside)
@@ -64,7 +64,7 @@ static bool has_variable_next(const lp_reader *r, lp_reach reach, bool inside)
            reach != LP_NUMBERS && !(inside && reach == LP_ONE_LINE && r->next.starts_line);
 }
 
-/* [number] [name] into the row: a constant goes to the right side. */
+/* Read [number] [name] into the row: a constant is moved to the right side. */
 static fmb_status read_lp_term(lp_reader *r, bool minus, lp_reach reach)
 {
     const char *at = r->next.text.p;
@@ -89,7 +89,7 @@ static fmb_status read_lp_term(lp_reader *r, bool minus, lp_reach reach)
     return st == FMB_OK ? next_lp_token(r) : st;
 }
 
-/* A sum, times -1 if minus, into the row; or infinity by itself. */
+/* Read a sum, times -1 if minus, into the row; or an infinity alone. */
 static fmb_status read_lp_sum(lp_reader *r, bool minus, lp_reach reach)
 {
     fmb_status st = FMB_OK;
@@ -135,7 +135,7 @@ static fmb_status set_lp_ends(lp_reader *r, int relation, mpq_srcptr value)
     return FMB_OK;
 }
 
-/* Behind a first end, which is minus the right side of the row so far: REL sum [REL end]. */
+/* After a first end, which is minus the current right side of the row, read REL sum [REL end]. */
 static fmb_status read_lp_range(lp_reader *r, lp_reach reach)
 {
     int relation = 0, second = 0, infinite = r->infinite;
@@ -160,8 +160,8 @@ static fmb_status read_lp_range(lp_reader *r, lp_reach reach)
     return st == FMB_OK ? set_lp_ends(r, second, r->row.rhs) : st;
 }
 
-/* sum REL sum, or end REL sum [REL end], or among bounds `name free`. Sums on the left reach so
- * far, on the right one step less. */
+/* Read sum REL sum, or end REL sum [REL end], or among bounds `name free`. reach: the extent of a
+ * sum on the left; on the right it is one step less. */
 static fmb_status read_lp_sides(lp_reader *r, lp_reach reach)
 {
     int relation = 0;
@@ -244,7 +244,7 @@ static fmb_status read_lp_integer(lp_reader *r)
     return fmb_system_set_integer(r->program.s, j, true);
 }
 
-/* Its upper bound is 1 unless the text gives one, which it may still do. */
+/* A binary variable has the upper bound 1 unless the text gives one, perhaps later. */
 static fmb_status read_lp_binary(lp_reader *r)
 {
     int j = 0;
@@ -268,7 +268,7 @@ static fmb_status read_lp_bound(lp_reader *r)
     return FMB_OK;
 }
 
-/* One section behind its keyword, up to the next one. */
+/* Read one section, from after its keyword to the next keyword. */
 static fmb_status read_lp_section(lp_reader *r, fmb_lp_section section)
 {
     static fmb_status (*const items[])(lp_reader *) = {[FMB_LP_ROWS] = read_lp_row,

@@ -1,7 +1,7 @@
 /* lp_write.c: a system as a CPLEX LP file.
  *
- * The objective names every variable, with 0 if need be, so that they come in their order; all are
- * free, and what bounds them are rows. A system without an objective gets one of zeros.
+ * The objective names every variable, with coefficient 0 if need be, which fixes their order; all
+ * are declared free, and rows bound them. A system without an objective gets one of zeros.
  */
 #include <string.h>
 
@@ -12,8 +12,7 @@
 /* Terms of a line. */
 enum { TERMS_A_LINE = 8 };
 
-/* One name for the scanner, wherever it stands, and no keyword; nothing that is read as a number
- * with an exponent. */
+/* Is the name one token for the scanner in any place, no keyword, and not read as an exponent? */
 static bool spells_lp(const char *name)
 {
     fmb_where where;
@@ -80,7 +79,7 @@ static void write_lp_objective(fmb_export *e)
     fputc('\n', e->out);
 }
 
-/* A row without terms says so of the first variable. */
+/* A row without terms is written with 0 times the first variable. */
 static void write_lp_row(fmb_export *e, size_t i)
 {
     fprintf(e->out, " %s:", e->row.name[i]);

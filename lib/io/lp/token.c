@@ -57,15 +57,15 @@ static bool is_one_of(fmb_span w, const char *words)
     return false;
 }
 
-/* What follows on this line: a byte, '\n' for nothing. */
+/* The next nonblank byte on this line; '\n' if there is none. */
 static int peek_on_line(fmb_cursor c)
 {
     fmb_skip_blanks(&c);
     return c.at == c.end || *c.at == '\\' ? '\n' : fmb_peek(&c);
 }
 
-/* The section whose keyword a word is, c being past all of it; -1 if it is a
- * name. A sign behind it makes it one too, but for those that a sum follows. */
+/* The section whose keyword the word is, with c moved past the keyword; -1 if it is a name. It is
+ * a name before a sign, too, except for keywords that a sum follows. */
 static int keyword_section(fmb_cursor *c, fmb_span word)
 {
     for (size_t i = 0; i < sizeof keywords / sizeof *keywords; i++) {
@@ -108,9 +108,9 @@ static void scan_lp_relation(fmb_cursor *c, fmb_lp_token *t)
     t->relation = sense;
 }
 
-/* Inside a line a keyword stands behind a name, or behind a number: a single word only if a
- * relation is in front of that, as `2 end` may be a term. None is that of an objective, which comes
- * first, or of what cannot be read. */
+/* Inside a line a keyword follows a name or a number; a one-word keyword follows a number only if a
+ * relation precedes the number, as `2 end` may be a term. Keywords of objectives, which come first,
+ * and of unreadable sections are not recognized here. */
 static int keyword_section_inside(fmb_cursor *c, fmb_span word, const fmb_lp_token *before)
 {
     fmb_cursor at = *c;
@@ -136,8 +136,8 @@ static void scan_lp_word(fmb_cursor *c, fmb_lp_token *t, const fmb_lp_token *bef
     t->is_label = section < 0 && peek_on_line(*c) == ':';
 }
 
-/* An 'e' right behind a number is its exponent's, and a '/' makes it a fraction: by the letter of
- * the format 1/2 would be a variable named /2, which nobody means. */
+/* An 'e' directly after a number begins its exponent, and '/' makes it a fraction: strictly by the
+ * format 1/2 would be 1 times a variable named /2, which nobody means. */
 static fmb_status scan_lp_number(fmb_cursor *c, fmb_lp_token *t, mpq_t value)
 {
     t->kind = FMB_LP_NUMBER;
@@ -151,7 +151,7 @@ static fmb_status scan_lp_number(fmb_cursor *c, fmb_lp_token *t, mpq_t value)
     return FMB_OK;
 }
 
-/* Past blanks, line ends and comments; true if a line end was among them. */
+/* Skip blanks, line ends and comments; true if a line end was among them. */
 static bool skip_lp_space(fmb_cursor *c)
 {
     const char *from = c->at;

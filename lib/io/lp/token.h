@@ -1,9 +1,9 @@
-/* token.h: the pieces of a CPLEX LP text: names, numbers, signs, relations, keywords of sections.
+/* token.h: the tokens of a CPLEX LP text: names, numbers, signs, relations, keywords of sections.
  *
- * A keyword is the first word of its line, or stands behind a name or a side of a row, in any case,
- * unless a label or a row goes on behind it: `end:` and `end >= 2` speak of a variable named end.
- * Comments reach from '\' to the end of the line. Names begin with a letter or one of
- * !"#$%&()/,;?@_`'{}|~ and go on with these, digits,
+ * A keyword, in upper or lower case, is the first word of its line, or follows a name or a side of
+ * a row, unless a label or a row continues after it: `end:` and `end >= 2` mean a variable named
+ * end. Comments reach from '\' to the end of the line. Names begin with a letter or one of
+ * !"#$%&()/,;?@_`'{}|~ and continue with these, digits,
  * '.', '[' and ']'.
  *
  * Source: IBM, CPLEX 22.1 File formats, "LP file format"; Gurobi 11 Reference, "LP format" (names
@@ -15,7 +15,7 @@
 #include "io/core/io_private.h"
 
 typedef enum fmb_lp_kind {
-    FMB_LP_OTHER = 0, /* a byte that begins nothing */
+    FMB_LP_OTHER = 0, /* a byte that begins no token */
     FMB_LP_NAME,
     FMB_LP_NUMBER,
     FMB_LP_SIGN,
@@ -38,15 +38,15 @@ typedef enum fmb_lp_section {
 typedef struct fmb_lp_token {
     fmb_lp_kind kind;
     fmb_span text;
-    bool starts_line, is_label; /* a name with ':' behind it */
-    bool is_side;               /* only signs stand between it and a relation in front of it */
+    bool starts_line, is_label; /* label: a name followed by ':' */
+    bool is_side;               /* it follows a relation, with only signs between */
     bool minus;                 /* SIGN */
     int relation;               /* -1 <=, 0 =, 1 >= */
     fmb_lp_section section;     /* KEYWORD */
 } fmb_lp_token;
 
-/* The token at c, which is then past it, behind the one that *t was; of a number its value too.
- * Errors: MEMORY, PARSE. */
+/* Read the token at c, with its value if it is a number, and move past it; on entry *t is the
+ * previous token. Errors: MEMORY, PARSE. */
 fmb_status fmb_lp_scan(fmb_cursor *c, fmb_lp_token *t, mpq_t value);
 
 #endif

@@ -1,10 +1,10 @@
-/* medit.c: medit's .mesh: sections of a keyword, a count and lines, each with a reference number
- * behind it that is passed over, as sections are that say nothing of points, faces or tetrahedra.
+/* medit.c: medit's .mesh: sections of a keyword, a count and lines. Each line ends in a reference
+ * number, which is skipped, as are sections other than points, faces and tetrahedra.
  */
 #include "io/core/cursor.h"
 #include "io/mesh/mesh_draft.h"
 
-/* The numbers of a section that does not count. */
+/* Skip the numbers of a section that is not used. */
 static fmb_status skip_numbers(fmb_cursor *c, fmb_mesh_draft *d)
 {
     for (d->skip(c); fmb_starts_number(fmb_peek(c)); d->skip(c))

@@ -67,7 +67,7 @@ fmb_status fmb_mesh_draft_corner(fmb_cursor *c, fmb_mesh_draft *d, size_t vertex
     return st;
 }
 
-/* Triangles that came before the first name are of none. */
+/* At the first name: triangles before it belong to no group. */
 static fmb_status begin_names(fmb_mesh_draft *d)
 {
     FMB_TRY(fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity, 1, 1));
@@ -125,7 +125,7 @@ static bool is_end_of_word(const fmb_cursor *c)
     return b < 0 || b == ' ' || (b >= '\t' && b <= '\r') || b == '#';
 }
 
-/* A number that began at p is a word of its own. */
+/* Check that the number that began at p ends as a word. */
 static fmb_status check_end_of_number(fmb_cursor *c, const char *p, const char *what)
 {
     return is_end_of_word(c) ? FMB_OK : fmb_io_expected(c, p, "%s", what);

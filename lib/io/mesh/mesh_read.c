@@ -1,4 +1,4 @@
-/* mesh_read.c: from a stream or a piece of memory to a mesh: what the formats share. */
+/* mesh_read.c: meshes from a stream or from memory: the part common to all formats. */
 #include <string.h>
 
 #include "io/core/stream.h"
@@ -36,9 +36,9 @@ static bool looks_like_stl(const fmb_cursor *c)
 typedef struct mesh_codec {
     fmb_mesh_format format;
     const char *name; /* its ending */
-    bool is_text;     /* if not, the reader looks at the bytes itself */
+    bool is_text;     /* if not, the reader checks the bytes itself */
     fmb_mesh_read_fn *read;
-    bool (*sniff)(const fmb_cursor *c); /* NULL: what nothing else fits */
+    bool (*sniff)(const fmb_cursor *c); /* NULL: used if nothing else fits */
 } mesh_codec;
 
 static const mesh_codec codecs[] = {
@@ -103,7 +103,7 @@ fmb_mesh_format fmb_mesh_format_of_name(const char *path)
 
 /* ---- parsing --------------------------------------------------------------------------------- */
 
-/* Tetrahedra, if there are any: triangles beside them are their surface. */
+/* Make a mesh of the tetrahedra, if there are any: then triangles are only their surface. */
 static fmb_status make_mesh_of_draft(fmb_cursor *c, const fmb_mesh_draft *d, fmb_mesh **out)
 {
     const fmb_alloc *hook = c->how->mem;

@@ -1,6 +1,6 @@
-/* obj.c: Wavefront OBJ, a statement a line: v and f count, g and o name the faces that follow, and
- * all others say how things look. Faces may name vertices that come later, and count back from the
- * last one by negative numbers.
+/* obj.c: Wavefront OBJ, one statement per line: v and f are read, g and o name the following faces,
+ * and all others concern appearance and are skipped. Faces may name vertices that come later;
+ * negative numbers count back from the last vertex.
  */
 #include <string.h>
 

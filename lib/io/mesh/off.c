@@ -1,13 +1,13 @@
-/* off.c: Geomview's OFF: counts, points, faces with as many corners as they say. What stands behind
- * the corners in the line of a face is its colour, and passed over. Points are words, not lines;
- * but many programs write colours behind them without saying so. So where there is a line for each
- * point and each face, the rest of a point's line is passed over; elsewhere a point is as many
- * numbers as the header says.
+/* off.c: Geomview's OFF: counts, points, faces with a number of corners each. The rest of the line
+ * of a face is its colour, and skipped. Points are numbers regardless of lines; but many programs
+ * write colours after them that the header does not declare. So if there is one line per point and
+ * per face, the rest of a point's line is skipped; otherwise a point has as many numbers as the
+ * header says.
  */
 #include "io/mesh/mesh_draft.h"
 
-/* "OFF", and colours or normals with the points (COFF, NOFF), which are then passed over as well:
- * *more numbers. Other letters mean other points. The header may be missing. */
+/* "OFF", or with colours or normals of points (COFF, NOFF): then *more numbers per point are
+ * skipped. Other letters mean other kinds of points. The header may be missing. */
 static fmb_status read_off_header(fmb_cursor *c, int *more)
 {
     fmb_mesh_skip_comments(c);
@@ -35,8 +35,8 @@ static size_t skip_words_of_line(fmb_cursor *c)
     return words;
 }
 
-/* From here on there is a line for each point, of three words at least, and one for each face. A
- * file of which that is true by accident has a face on two lines. */
+/* From c on, is there one line per point, of at least three words, and one per face? A file could
+ * satisfy this by accident only with a face on two lines. */
 static bool has_line_for_each(fmb_cursor c, size_t vertices, size_t faces)
 {
     size_t lines = 0;

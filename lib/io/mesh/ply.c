@@ -1,6 +1,6 @@
-/* ply.c: PLY, as text or binary of either byte order. A header names elements and the properties
- * that each of theirs has, in this order; of vertices x, y and z count, of faces and of strips of
- * triangles the list vertex_indices (or vertex_index), and all others are passed over.
+/* ply.c: PLY, as text or binary of either byte order. A header names the kinds of elements and the
+ * properties of each, in order; of vertices x, y and z are read, of faces and of triangle strips
+ * the list vertex_indices (or vertex_index), and all others are skipped.
  */
 #include <math.h>
 
@@ -20,7 +20,7 @@ static const ply_type types[] = {
     {"float", "float32", 4, true, true}, {"double", "float64", 8, true, true},
 };
 
-/* What a property is to a mesh. */
+/* The meaning of a property for the mesh. */
 enum { ROLE_X, ROLE_Y, ROLE_Z, ROLE_CORNERS, ROLE_STRIPS, ROLE_NONE };
 
 typedef struct ply_property {
@@ -276,9 +276,9 @@ static fmb_status append_triangle_of_strip(const ply_reader *r, const size_t v[3
     return FMB_OK;
 }
 
-/* Three vertices in a row are a triangle; every second one of a strip is turned, so that all have
- * one orientation. One with a vertex twice only leads on to another place: it is none, but counts
- * for the turns. */
+/* Three consecutive vertices form a triangle; every second one of a strip is reversed, so that all
+ * have the same orientation. A degenerate one, with a vertex twice, only moves the strip: it is
+ * dropped, but counts for the reversal. */
 static fmb_status read_ply_strips(ply_reader *r, const ply_property *p, size_t n)
 {
     size_t v[3] = {0}, length = 0;
@@ -325,7 +325,7 @@ static fmb_status read_ply_elements(ply_reader *r, const ply_element *e)
     return FMB_OK;
 }
 
-/* Strips may have corners that are in no triangle. */
+/* Check the numbers of corners; strips may have corners that are in no triangle. */
 static fmb_status check_ply_corners(const ply_reader *r)
 {
     fmb_cursor *c = r->c;

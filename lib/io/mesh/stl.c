@@ -1,5 +1,5 @@
-/* stl.c: STL, text or binary: three points a facet, which meet others in equal points alone.
- * Normals are passed over.
+/* stl.c: STL, text or binary: three points per facet; facets are connected only by equal points.
+ * Normals are skipped.
  *
  * Binary: 80 bytes of anything (even "solid"), the number of facets in 4 bytes, 50 bytes a facet:
  * 12 floats, then two bytes of anything; the least significant byte first.
@@ -62,7 +62,7 @@ static fmb_status expect_word(fmb_cursor *c, fmb_mesh_draft *d, const char *word
     return fmb_span_is_nocase(fmb_scan_word(c), word) ? FMB_OK : fmb_io_expected(c, p, "%s", word);
 }
 
-/* Behind "facet": a normal, which may be no number, ends where "outer" begins. */
+/* Read a facet after "facet": the normal, which may be no number, ends at "outer". */
 static fmb_status read_text_facet(fmb_cursor *c, fmb_mesh_draft *d)
 {
     static const char *const end[] = {"endloop", "endfacet"};

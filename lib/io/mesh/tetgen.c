@@ -1,10 +1,10 @@
-/* tetgen.c: TetGen's .node and .ele: counts, then lines of a number and what it stands for. The
- * number of the first point, 0 or 1, tells where numbers begin in both; what stands behind
- * coordinates or corners in a line is passed over.
+/* tetgen.c: TetGen's .node and .ele: counts, then numbered lines of points and tetrahedra. The
+ * number of the first point, 0 or 1, is the base of numbers in both files; the rest of a line after
+ * coordinates or corners is skipped.
  */
 #include "io/mesh/mesh_draft.h"
 
-/* The number in front of a line: they go up one by one. */
+/* Read the number at the start of a line; numbers must be consecutive. */
 static fmb_status read_line_number(fmb_cursor *c, fmb_mesh_draft *d, size_t i, size_t *base)
 {
     size_t number = 0;

@@ -1,4 +1,4 @@
-/* card.c: see card.h. Control bytes of a text are blanks all (fmb_io_check). */
+/* card.c: see card.h. All control bytes of a checked text are blanks (fmb_io_check). */
 #include "io/mps/card.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@ static bool starts_card_number(fmb_span w)
     return i < w.n && (w.p[i] == '.' || fmb_is_digit(w.p[i]));
 }
 
-/* A word that begins with '$', but the first, begins a comment; so does '*' or '!' behind a number
+/* A word after the first that begins with '$' begins a comment; so does '*' or '!' after a number
  * of the line, unless a number follows: then it begins a name. */
 static void end_at_comment(fmb_mps_card *card)
 {
@@ -76,8 +76,8 @@ static fmb_span trim_field(const char *p, const char *end)
 /* Where fields of the fixed form begin and end. */
 static const size_t field_from[] = {1, 4, 14, 24, 39, 49}, field_to[] = {3, 12, 22, 36, 47, 61};
 
-/* False if something stands between the fields. A '$' where field 2 or 4 starts begins a comment,
- * and so does what stands behind the last field. */
+/* False if there is text between the fields. A '$' at the start of field 2 or 4 begins a comment;
+ * all text after the last field is a comment. */
 static bool lay_out_fixed(fmb_mps_card *card)
 {
     const char *p = card->line.p;
@@ -95,7 +95,7 @@ static bool lay_out_fixed(fmb_mps_card *card)
     return clean;
 }
 
-/* The name of a set is missing where a number stands in the place of its row or column. */
+/* The name of the set is missing if there is a number in the place of the row or column. */
 static void lay_out_free(fmb_mps_card *card, fmb_mps_section section)
 {
     size_t n = card->words, k = 0, to = 1;

@@ -7,8 +7,8 @@
  *   BOUNDS   kind  set     column  number
  *
  * Fixed form has them at positions 2-3, 5-12, 15-22, 25-36, 40-47 and 50-61, and names may contain
- * blanks; free form has words, and the name of a set may be missing. No file says which form it
- * has: it is the one that more of its lines fit.
+ * blanks; free form has words, and the name of a set may be missing. No file declares its form: it
+ * is taken to be the one that more of its lines fit.
  *
  * Source: IBM, MPSX/370 Program Reference Manual, 1979; GLPK 5.0 Reference Manual, 2020, appendix
  * B; lp_solve 5.5 reference, "mps-format".
@@ -32,19 +32,19 @@ typedef enum fmb_mps_section {
 } fmb_mps_section;
 
 typedef struct fmb_mps_card {
-    fmb_span line, word[7], field[6]; /* an empty field has n = 0 and stands where it would be */
+    fmb_span line, word[7], field[6]; /* an empty field has n = 0; its p is where it would be */
     size_t words;
 } fmb_mps_card;
 
 /* The next line that is neither empty nor a comment, without its fields; false at the end. */
 bool fmb_mps_next_card(fmb_cursor *c, fmb_mps_card *card);
-/* The line begins a section, NONE if it is unknown. */
+/* Does the line begin a section? *section is NONE if the section is unknown. */
 bool fmb_mps_is_title(const fmb_mps_card *card, fmb_mps_section *section);
-/* Among columns: the second word is 'MARKER'. */
+/* Among columns: is the second word 'MARKER'? */
 bool fmb_mps_is_marker(const fmb_mps_card *card);
 /* Fill the fields of a data line. */
 void fmb_mps_lay_out(fmb_mps_card *card, fmb_mps_section section, bool fixed);
-/* The same where both forms agree about the line, and it fits them; false if they may not. */
+/* Fill the fields if both forms read the line alike and it fits them; false if they may differ. */
 bool fmb_mps_lay_out_alike(fmb_mps_card *card, fmb_mps_section section);
 /* Does the text at c fit the fixed form at least as well as the free one? */
 bool fmb_mps_is_fixed(const fmb_cursor *c);

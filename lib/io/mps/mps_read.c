@@ -14,7 +14,7 @@
 
 #define MPS_NUMBER (FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FORTRAN)
 
-/* Numbers stay text, which was looked at, until their row is put together. */
+/* Numbers are kept as text, already checked, until their row is assembled. */
 typedef struct mps_term {
     int variable;
     fmb_span number;
@@ -70,7 +70,7 @@ static fmb_status read_field_number(mps_reader *m, fmb_span field)
     return st == FMB_OK && at.at < at.end ? fail_field(m, field, "a number") : st;
 }
 
-/* The same of one that was read before, and charged then. */
+/* Read a number again that was read, and charged, before. */
 static fmb_status read_number_again(const mps_reader *m, fmb_span field, mpq_t out)
 {
     fmb_cursor at = cursor_at_field(m, field);
@@ -170,7 +170,7 @@ static fmb_status read_column(mps_reader *m, const fmb_mps_card *card)
     return st == FMB_OK ? read_entries(m, card) : st;
 }
 
-/* Terms and right side of a row, into the draft. */
+/* Assemble terms and right side of a row in the draft. */
 static fmb_status put_row_together(mps_reader *m, const mps_row *r)
 {
     fmb_draft_reset(&m->draft);
@@ -242,7 +242,7 @@ static fmb_status set_mps_objective(mps_reader *m)
 
 /* ---- bounds ---------------------------------------------------------------------------------- */
 
-/* What a kind of bound makes of each end: 'n' the number, 'i' infinity, a digit, 0 nothing. */
+/* The effect of a kind of bound on each end: 'n' the number, 'i' infinity, a digit, 0 none. */
 typedef struct mps_bound_kind {
     const char *word;
     char end[2];
@@ -299,8 +299,8 @@ static fmb_status read_bound(mps_reader *m, const fmb_mps_card *card)
     return is_first_set(m, f[1]) ? set_mps_bound(m, kind, j, f[2]) : FMB_OK;
 }
 
-/* Integer columns, which stand between markers where no bound made them so, end at 1 unless the
- * text bounds them (GLPK 5.0 Reference Manual, 2020, appendix B). */
+/* Columns that are integer by markers, not by a bound, have the upper bound 1 unless the text
+ * bounds them (GLPK 5.0 Reference Manual, 2020, appendix B). */
 static void bound_free_integers(mps_reader *m)
 {
     char name[FMB_QUOTE];
@@ -333,7 +333,7 @@ static fmb_status read_sense(mps_reader *m, fmb_span word)
     return fail_field(m, word, "MIN or MAX");
 }
 
-/* A word of the section that says which row is the objective, or which way it goes. */
+/* Read a word of the sections that name the objective row, or its sense. */
 static fmb_status read_word_about_objective(mps_reader *m, fmb_span word)
 {
     if (m->section == FMB_MPS_OBJSENSE)
@@ -353,7 +353,7 @@ static fmb_status begin_section(mps_reader *m, const fmb_mps_card *card)
     return is_short && card->words > 1 ? read_word_about_objective(m, card->word[1]) : FMB_OK;
 }
 
-/* Which form the text has is asked for at the first line that the two may read differently. */
+/* The form of the text is decided at the first line that both forms may read differently. */
 static void lay_out_fields(mps_reader *m, fmb_mps_card *card)
 {
     if (!m->knows_form && fmb_mps_lay_out_alike(card, m->section))

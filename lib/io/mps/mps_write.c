@@ -1,7 +1,7 @@
 /* mps_write.c: a system as a linear program in free MPS.
  *
- * Every row of the system is a row, and every column free, so that reading the file gives the same
- * rows and no bounds besides. Tabs stand between fields: no line of fixed form has them.
+ * Every row of the system is a row, and every column is free, so reading the file gives the same
+ * rows and no bounds. Fields are separated by tabs, which fixed form never has.
  */
 #include <string.h>
 
@@ -9,7 +9,7 @@
 #include "io/program/export.h"
 #include "num/rationals.h"
 
-/* One word, not a number, nor what begins a comment or names a marker. */
+/* Is the name one word that is no number, no comment, and no marker? */
 static bool spells_mps(const char *name)
 {
     size_t size = strlen(name), i = 0, n;
@@ -26,13 +26,13 @@ typedef struct mps_entry {
 
 typedef struct mps_columns {
     size_t *first; /* [dim] place + 1, or 0 */
-    mpq_t *scale;  /* [rows] what each is written times */
+    mpq_t *scale;  /* [rows] factor by which each is written */
     mps_entry *entry;
     size_t entries, capacity;
 } mps_columns;
 
-/* From the last row to the first, so that each column has its rows in their order. What a row is
- * written times is found out once. */
+/* From the last row to the first, so that each column gets its rows in order. The factor of each
+ * row is computed once. */
 static fmb_status sort_by_columns(fmb_export *e, mps_columns *m)
 {
     mpq_ptr q = e->q;
@@ -74,8 +74,8 @@ static void write_mps_rows(fmb_export *e)
         fprintf(e->out, " %c\t%s\n", fmb_system_rel(e->s, i) == FMB_EQ ? 'E' : 'L', e->row.name[i]);
 }
 
-/* The objective's part of column j, whose next term is *k. A column without any has a 0 in some
- * row, or it would not be there. */
+/* Write column j; *k: the next term of the objective. A column without entries gets a 0 in some
+ * row, else the file would lack it. */
 static void write_column(fmb_export *e, const mps_columns *m, int j, size_t *k)
 {
     size_t rows = fmb_system_rows(e->s);

@@ -12,7 +12,7 @@
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
-/* The power of ten that makes q whole; -1 if none does: other primes than 2 and 5 are left. */
+/* The power of ten that makes q an integer; -1 if the denominator has primes other than 2 and 5. */
 static long decimal_places(mpq_srcptr q)
 {
     mpz_t rest, five;
@@ -48,7 +48,7 @@ void fmb_export_print(fmb_export *e)
     fmb_print_decimal(e->out, e->q);
 }
 
-/* scale = scale times what makes scale times q whole, if q is no finite decimal. */
+/* If q is no finite decimal, multiply scale so that scale times q is an integer. */
 static void include_number(fmb_export *e, bool *all)
 {
     mpz_lcm(mpq_numref(e->scale), mpq_numref(e->scale), mpq_denref(e->q));
@@ -69,7 +69,7 @@ void fmb_export_scale(fmb_export *e, size_t i)
         mpq_set_ui(e->scale, 1, 1);
     mpq_mul(e->q, e->q, e->scale);
     mpz_tdiv_q(mpq_numref(e->q), mpq_numref(e->q), mpq_denref(e->q));
-    size_t digits = mpz_sizeinbase(mpq_numref(e->q), 10); /* or one more than these */
+    size_t digits = mpz_sizeinbase(mpq_numref(e->q), 10); /* exact, or one too many */
     if (digits > HUGE_POWER) {
         mpz_ui_pow_ui(mpq_denref(e->scale), 10, digits - HUGE_POWER);
         mpq_canonicalize(e->scale);
@@ -78,8 +78,8 @@ void fmb_export_scale(fmb_export *e, size_t i)
 
 /* ---- names ----------------------------------------------------------------------------------- */
 
-/* The name if it can be spelled and is free, else the letter with the number k, and underscores
- * behind that until it is. */
+/* Add the name if the format can spell it and it is free, else the letter with the number k, and
+ * underscores until that is free. */
 static fmb_status add_spelling(fmb_export *e, fmb_names *names, const char *name, char letter,
                                size_t k, fmb_spells_fn *spells)
 {
@@ -95,7 +95,7 @@ static fmb_status add_spelling(fmb_export *e, fmb_names *names, const char *name
     return fmb_names_add(names, made, &e->mem);
 }
 
-/* Names that can be spelled come first, so that none loses its own to one that is made up. */
+/* Names that can be spelled are added first, so that no made-up name takes one of them. */
 static fmb_status spell_columns(fmb_export *e, fmb_spells_fn *spells)
 {
     const fmb_system *s = e->s;

@@ -1,7 +1,7 @@
-/* assert.c: a formula that shall hold, flattened to rows; see formula.h.
+/* assert.c: an asserted formula, flattened to rows; see formula.h.
  *
  * `a and b` gives the rows of both; not(a and b) is a conjunction only if all but one of its parts
- * are known. A conjunction that comes back within one assertion has given its rows already: so
+ * are known. A conjunction that occurs again within one assertion has given its rows already: so
  * sharing never multiplies the work.
  */
 #include "io/smt2/formula.h"
@@ -13,8 +13,8 @@ static fmb_status push_assertion_task(fmb_forms *f, size_t *n, uint32_t literal,
     return FMB_OK;
 }
 
-/* A term of a row takes the memory of about so many digits. Sharing can make a short text many long
- * rows, so they are paid for. */
+/* A term of a row takes the memory of about so many digits. Sharing can turn a short text into many
+ * long rows, so terms are charged to the budget. */
 #define TERM_DIGITS 32
 
 static fmb_status append_paid_row(fmb_forms *f, const char *at, fmb_rel rel, fmb_span label,
@@ -39,7 +39,7 @@ static fmb_status append_false_row(fmb_forms *f, const char *at, fmb_span label,
     return append_paid_row(f, at, FMB_LE, label, s);
 }
 
-/* A Boolean unknown holds, or does not. */
+/* Record that a Boolean unknown is true, or false. */
 static fmb_status learn_fact(fmb_forms *f, const fmb_form_task *k, fmb_system *s)
 {
     const fmb_form_node *v = &f->node[k->literal / 2];
@@ -56,7 +56,7 @@ static fmb_status learn_fact(fmb_forms *f, const fmb_form_task *k, fmb_system *s
     return FMB_OK;
 }
 
-/* t REL 0, or not(t <= 0), which is -t < 0, and the like. */
+/* Append t REL 0, or its negation: not(t <= 0) is -t < 0, and so on. */
 static fmb_status append_atom_row(fmb_forms *f, const fmb_form_task *k, fmb_system *s)
 {
     const fmb_form_node *v = &f->node[k->literal / 2];
@@ -74,7 +74,7 @@ static fmb_status append_atom_row(fmb_forms *f, const fmb_form_task *k, fmb_syst
     return append_paid_row(f, v->at, v->rel == FMB_LE ? FMB_LT : FMB_LE, k->label, s);
 }
 
-/* All parts shall hold; of a conjunction known to fail, the part that does. */
+/* Assert all parts; of a conjunction known to be false, only a false part. */
 static fmb_status push_all_parts(fmb_forms *f, const fmb_form_node *v, fmb_span label, size_t *n)
 {
     for (uint32_t k = v->n; k-- > 0;) {
@@ -85,7 +85,7 @@ static fmb_status push_all_parts(fmb_forms *f, const fmb_form_node *v, fmb_span 
     return FMB_OK;
 }
 
-/* Some part shall not hold: a conjunction only if a single part is open. */
+/* Assert that some part is false: a conjunction only if a single part is open. */
 static fmb_status push_only_open_part(fmb_forms *f, const fmb_form_node *v, fmb_span label,
                                       size_t *n)
 {

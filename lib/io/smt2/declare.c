@@ -18,7 +18,7 @@ static fmb_status read_known_sort(fmb_smt *r, fmb_smt_sort *out)
 
 /* ---- declarations ---------------------------------------------------------------------------- */
 
-/* A Boolean unknown: the declared-th of the facts, which a reading before may have told. */
+/* Declare a Boolean unknown: the next of the facts, perhaps known from an earlier reading. */
 static fmb_status declare_boolean(fmb_smt *r, size_t number)
 {
     fmb_smt_facts *facts = r->forms.facts;
@@ -95,8 +95,8 @@ fmb_status fmb_smt_define_sort(fmb_smt *r, const char *open)
 
 /* ---- define-fun ------------------------------------------------------------------------------ */
 
-/* The name of a parameter, which the function has not had before: those it had are bound, to
- * nothing, until all are read. */
+/* Read the name of a parameter, which must be new: earlier parameters are bound, without a value,
+ * until all are read. */
 static fmb_status read_parameter_name(fmb_smt *r, size_t *symbol)
 {
     fmb_smt_token t;

@@ -1,8 +1,8 @@
-/* expand.c: a shared linear term spelled out over the variables; see linear.h.
+/* expand.c: expansion of a shared linear term over the variables; see linear.h.
  *
- * All nodes that the term reaches are collected and visited from the latest to the earliest: then
- * the factor of a node is complete when its turn comes, and each node is visited once, however
- * often it is shared.
+ * All nodes reachable from the term are collected and visited from the latest to the earliest: then
+ * the factor of a node is complete when it is visited, and each node is visited once, however often
+ * it is shared.
  */
 #include <stdlib.h>
 
@@ -62,7 +62,7 @@ static fmb_status add_charged_product(fmb_lin *l, const char *at, mpq_ptr sum, m
     return fmb_io_charge(l->c, at, fmb_io_digits(sum));
 }
 
-/* Hand the factor of the i-th reached node, a sum, down to its leaves and to -constant. */
+/* Add the factor of the i-th reached node, a sum, to those of its leaves, and to -constant. */
 static fmb_status hand_factor_to_leaves(fmb_lin *l, const char *at, size_t i,
                                         mpq_ptr minus_constant)
 {
@@ -95,7 +95,7 @@ fmb_status fmb_lin_expand(fmb_lin *l, const char *at, uint32_t node, fmb_draft *
     return FMB_OK;
 }
 
-/* All leaves are variables: then nothing can cancel any more. */
+/* Are all leaves variables? Then no terms can cancel. */
 static bool has_only_variables(const fmb_lin *l, const fmb_lin_node *v)
 {
     for (uint32_t k = 0; k < v->n; k++)

@@ -1,4 +1,4 @@
-/* formula.h: formulas of an SMT-LIB text, shared as the text shares them.
+/* formula.h: formulas of an SMT-LIB text, as a DAG that shares what the text shares.
  *
  * A formula is a literal: twice a node, plus 1 if it is negated. Nodes are the constant true, atoms
  * (a linear term REL 0), Boolean unknowns, conjunctions, labelled formulas, and formulas beyond
@@ -13,17 +13,17 @@
 #include "io/core/cursor.h"
 #include "io/smt2/linear.h"
 
-/* Reading a byte again costs as much as about so many digits. */
+/* The charge for reading a byte again [digits of the budget]. */
 #define FMB_SMT_BYTE_DIGITS 16
 
-/* ---- facts: what assertions say of Boolean unknowns --------------------------------------------
+/* ---- facts: values of Boolean unknowns that assertions imply ------------------------------------
  *
- * An asserted unknown is true in all that follows and in all that came before, whichever assertion
- * needs it. So a command that needs a choice between cases is passed over while unknowns are open;
- * if the text then tells something new, it is read again from its start with the facts known
- * (unit propagation, Davis and Putnam 1960, a reading of the text a step). */
+ * An asserted unknown is true in the whole text, also before its assertion. So a command that needs
+ * a choice between cases is skipped while unknowns are open; if the text then implies a new fact,
+ * it is read again from its start with the known facts (unit propagation, Davis and Putnam 1960,
+ * one reading of the text per step). */
 
-/* What is known of a formula without search. */
+/* The truth of a formula as far as it is known without search. */
 typedef enum fmb_smt_truth {
     FMB_SMT_OPEN_TRUTH = 0,
     FMB_SMT_IS_TRUE,
@@ -33,17 +33,17 @@ typedef enum fmb_smt_truth {
 typedef struct fmb_smt_facts {
     fmb_smt_truth *truth; /* [unknowns] in the order of their declarations */
     size_t unknowns, capacity;
-    size_t *told; /* unknowns that this reading has told, one after another */
+    size_t *told; /* unknowns that this reading has decided, in order */
     size_t tolds, told_capacity;
-    size_t declared;  /* by this reading */
-    size_t open;      /* of those declared, unknown */
-    bool learned;     /* this reading has told something new */
+    size_t declared;  /* unknowns declared by this reading */
+    size_t open;      /* of these, undecided ones */
+    bool learned;     /* this reading has found a new fact */
     bool undecided;   /* the command that failed last needs a choice between cases */
-    bool passed_over; /* one such was passed over by this reading */
-    fmb_where first;  /* where that was */
+    bool passed_over; /* this reading has skipped such a command */
+    fmb_where first;  /* the place of the first one */
 } fmb_smt_facts;
 
-/* Nothing is known. */
+/* Forget all facts. */
 static inline void fmb_smt_facts_clear(fmb_smt_facts *facts, fmb_mem *mem)
 {
     fmb_mem_put(mem, facts->truth, facts->capacity, sizeof *facts->truth);
@@ -66,18 +66,18 @@ typedef enum fmb_form_kind {
 typedef struct fmb_form_node {
     fmb_form_kind kind;
     fmb_smt_truth truth;
-    const char *at;   /* blamed for what goes wrong with it */
-    const char *word; /* AND, HARD: what the text calls it */
+    const char *at;   /* the place named in errors */
+    const char *word; /* AND, HARD: the operator in the text */
     fmb_rel rel;      /* ATOM */
     uint32_t lin;     /* ATOM: its linear term */
     size_t unknown;   /* UNKNOWN: its number among the facts */
     fmb_span label;   /* LABEL */
     size_t first;     /* AND, LABEL: child[first .. first + n) */
     uint32_t n;
-    uint32_t stamp[2]; /* assertion that has taken it in already, plain and negated */
+    uint32_t stamp[2]; /* the assertion that has processed it already, plain and negated */
 } fmb_form_node;
 
-/* A formula that is to hold, and the label its rows get. */
+/* A formula to assert, and the label of its rows. */
 typedef struct fmb_form_task {
     uint32_t literal;
     fmb_span label; /* p NULL: none */
@@ -104,19 +104,19 @@ void fmb_forms_forget(fmb_forms *f, size_t nodes);
 
 fmb_smt_truth fmb_form_truth(const fmb_forms *f, uint32_t literal);
 
-/* New formulas; at is where the text has them, word (static) what it calls them. Errors: MEMORY. */
+/* New formulas; at: their place in the text, word (static): the operator there. Errors: MEMORY. */
 fmb_status fmb_form_atom(fmb_forms *f, const char *at, uint32_t lin, fmb_rel rel, uint32_t *out);
 fmb_status fmb_form_and(fmb_forms *f, const char *at, const char *word, size_t n,
                         const uint32_t *literal, uint32_t *out);
 fmb_status fmb_form_label(fmb_forms *f, const char *at, fmb_span label, uint32_t literal,
                           uint32_t *out);
-/* A Boolean unknown by its number: a constant if a fact says which. */
+/* A Boolean unknown by its number: a constant if a fact decides it. */
 fmb_status fmb_form_unknown(fmb_forms *f, const char *at, size_t unknown, uint32_t *out);
 fmb_status fmb_form_hard(fmb_forms *f, const char *at, const char *word, uint32_t *out);
 
-/* The text at `at` is no conjunction, as far as is known: what needs a search over cases. */
+/* Fail: with the known facts the text at `at` is no conjunction, and would need a search. */
 fmb_status fmb_form_undecided(fmb_forms *f, const char *at, const char *what);
-/* Append the rows of a formula that shall hold. Errors: MEMORY, PARSE ("not a conjunction"). */
+/* Append the rows of an asserted formula. Errors: MEMORY, PARSE ("not a conjunction"). */
 fmb_status fmb_form_assert(fmb_forms *f, uint32_t literal, fmb_system *s);
 
 #endif

@@ -105,8 +105,8 @@ static fmb_status merge_equal_leaves(fmb_lin *l, const char *at)
     return st;
 }
 
-/* Room for one more term. Gathering when the terms have doubled keeps them near the number of
- * different leaves, at the cost of a sort every so often. */
+/* Make room for one more term. Combining like terms whenever the terms have doubled keeps their
+ * number near that of different leaves, at the cost of an occasional sort. */
 static fmb_status open_sum_term(fmb_lin *l, const char *at, uint32_t leaf, mpq_ptr *slot)
 {
     fmb_lin_sum *s = &l->sum;
@@ -124,7 +124,7 @@ static fmb_status open_sum_term(fmb_lin *l, const char *at, uint32_t leaf, mpq_p
     return FMB_OK;
 }
 
-/* into = a b, paid for. */
+/* into = a b, charged to the budget. */
 static fmb_status multiply_charged(fmb_lin *l, const char *at, mpq_ptr into, mpq_srcptr a,
                                    mpq_srcptr b)
 {
@@ -154,7 +154,7 @@ fmb_status fmb_lin_add(fmb_lin *l, const char *at, uint32_t node, mpq_srcptr fac
     return FMB_OK;
 }
 
-/* The sum is one node as it stands. */
+/* Is the sum just one node, with coefficient 1 and no constant? */
 static bool is_single_node(const fmb_lin_sum *s)
 {
     return s->n == 1 && mpq_sgn(s->constant) == 0 && mpq_cmp_ui(s->term[0].coef, 1, 1) == 0;

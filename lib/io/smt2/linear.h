@@ -1,9 +1,9 @@
-/* linear.h: linear terms of an SMT-LIB text, shared as the text shares them.
+/* linear.h: linear terms of an SMT-LIB text, as a DAG that shares what the text shares.
  *
  * A node is a variable, or a sum  constant + sum coef_k leaf_k  over earlier nodes, without zero
  * coefficients. Sums of at most FMB_LIN_SHORT terms are copied into the sums that use them, longer
  * ones are referred to: so the pool stays linear in the text, and a term that a let or a define-fun
- * names is worked out once.
+ * names is computed once.
  *
  * Invariants: leaves are smaller than their node (the order is topological); a leaf that is a sum
  * has more than FMB_LIN_SHORT terms.
@@ -29,11 +29,11 @@ typedef struct fmb_lin_node {
     uint32_t stamp;
 } fmb_lin_node;
 
-/* A sum on its way: the first n terms (initialised up to capacity), and the constant. */
+/* A sum being built: the first n terms (initialised up to capacity), and the constant. */
 typedef struct fmb_lin_sum {
     fmb_lin_term *term;
     size_t n, capacity;
-    size_t tidy; /* terms left after the last gathering */
+    size_t tidy; /* number of terms after like terms were last combined */
     mpq_t constant;
 } fmb_lin_sum;
 
@@ -46,7 +46,7 @@ typedef struct fmb_lin {
     fmb_lin_sum sum;
     uint32_t *reached; /* scratch of expansion */
     size_t reached_capacity;
-    mpq_t *factor; /* one a reached node; all initialised */
+    mpq_t *factor; /* one per reached node; all initialised */
     size_t factors;
     mpq_t product; /* scratch */
     uint32_t stamp;
@@ -57,19 +57,19 @@ void fmb_lin_clear(fmb_lin *l);
 /* Forget the nodes from number `nodes` on. */
 void fmb_lin_forget(fmb_lin *l, size_t nodes);
 
-/* A new node for variable var; for a number (whose value is taken by swapping). Errors: MEMORY. */
+/* A new node for variable var. Below: for a number, swapped out of value. Errors: MEMORY. */
 fmb_status fmb_lin_variable(fmb_lin *l, int var, uint32_t *out);
 fmb_status fmb_lin_number(fmb_lin *l, mpq_t value, uint32_t *out);
 
-/* Build a sum: begin, add (factor times node) as often as wanted, end. at is blamed if the numbers
- * outgrow the budget. Errors: MEMORY, PARSE. */
+/* Build a sum: begin, add (factor times node) repeatedly, end. at: the place named if the numbers
+ * exceed the budget. Errors: MEMORY, PARSE. */
 void fmb_lin_begin(fmb_lin *l);
 fmb_status fmb_lin_add(fmb_lin *l, const char *at, uint32_t node, mpq_srcptr factor);
 fmb_status fmb_lin_end(fmb_lin *l, uint32_t *out);
 
 /* Is the node a number? Then value is set. Errors: MEMORY, PARSE. */
 fmb_status fmb_lin_constant(fmb_lin *l, const char *at, uint32_t node, bool *yes, mpq_t value);
-/* The node spelled out in d: terms over variables, and minus its constant as right side. Errors:
+/* Expand the node into d: terms over variables, and minus its constant as right side. Errors:
  * MEMORY, PARSE. */
 fmb_status fmb_lin_expand(fmb_lin *l, const char *at, uint32_t node, fmb_draft *d);
 

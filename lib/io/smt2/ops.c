@@ -8,7 +8,7 @@ static fmb_status reserve_literals(fmb_smt *r, size_t n)
 
 /* ---- terms ----------------------------------------------------------------------------------- */
 
-/* +, and - with `swap`: then all but the first of several arguments count negatively. */
+/* +, and - with `swap`: then all but the first of several arguments are subtracted. */
 static fmb_status apply_sum_or_difference(fmb_smt *r, const fmb_smt_operator *op, const char *at,
                                           const fmb_smt_value *arg, size_t n, fmb_smt_value *out)
 {
@@ -29,7 +29,7 @@ static fmb_status scale_linear_node(fmb_smt *r, const char *at, uint32_t node, m
     return fmb_lin_end(&r->lin, out);
 }
 
-/* *node and arg multiplied, one of them being a number. */
+/* Multiply *node by arg; one of them must be a number. */
 static fmb_status multiply_by_number(fmb_smt *r, const char *at, const fmb_smt_value *arg,
                                      uint32_t *node)
 {
@@ -123,7 +123,7 @@ static fmb_status apply_comparison_chain(fmb_smt *r, const fmb_smt_operator *op,
 
 /* ---- formulas -------------------------------------------------------------------------------- */
 
-/* and; or and => through it: not(and of the parts, those negated that are not premises). */
+/* and; or and =>, both by not(and(...)) with all parts negated except premises. */
 static fmb_status connect_formulas(fmb_smt *r, const fmb_smt_operator *op, const char *at,
                                    const fmb_smt_value *arg, size_t n, size_t plain,
                                    fmb_smt_value *out)
@@ -282,8 +282,8 @@ const fmb_smt_operator *fmb_smt_operator_at(size_t i)
     return i < sizeof table / sizeof *table ? &table[i] : NULL;
 }
 
-/* Terms or formulas, as the operator takes them; where it takes either, all alike but the condition
- * of ite, which looks for itself. */
+/* Check that arguments are terms or formulas as the operator needs them; if it takes either, all
+ * must be alike except the condition of ite, which is checked elsewhere. */
 static fmb_status check_argument_kinds(fmb_smt *r, const fmb_smt_operator *op,
                                        const fmb_smt_value *arg, size_t n)
 {

@@ -1,20 +1,20 @@
-/* scope.h: what the names of an SMT-LIB text mean, and where.
+/* scope.h: symbols of an SMT-LIB text and their meanings.
  *
- * A symbol is a different spelling (bars do not count). It may have a global meaning, given once by
+ * Symbols differ in spelling (bars are ignored). A symbol may have a global meaning, given once by
  * a command, and local ones, given by let and by parameters of a define-fun: the newest hides the
  * others.
  *
  * Invariants: slots is a power of two above twice the number of symbols; local[symbol.newest] is
- * the newest local meaning of symbol, and older ones hang from it. Inside the body of a define-fun
- * only local meanings from number `visible` on count: its text knows nothing of the let around its
- * use.
+ * the newest local meaning of symbol, with links to the older ones. Inside the body of a define-fun
+ * only local meanings from number `visible` on count: a let around the use of the function does not
+ * apply to its body.
  */
 #ifndef FMB_IO_SMT2_SCOPE_H
 #define FMB_IO_SMT2_SCOPE_H
 
 #include "io/core/io_private.h"
 
-/* A term or a formula, and where the text has it. */
+/* A term or a formula, and its place in the text. */
 typedef struct fmb_smt_value {
     bool formula;
     uint32_t id; /* node of a linear term; literal */
@@ -71,14 +71,14 @@ void fmb_smt_scope_init(fmb_smt_scope *s, fmb_mem *mem);
 void fmb_smt_scope_clear(fmb_smt_scope *s);
 /* Number of the symbol, new or known. Its text must live as long as the scope. Errors: MEMORY. */
 fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out);
-/* A command gives the symbol a global meaning, which the caller sets; take back all but the first
- * `givens` that were given so. Errors: MEMORY. */
+/* Record that a command gives the symbol a global meaning, which the caller sets. Below: withdraw
+ * all such meanings but the first `givens`. Errors: MEMORY. */
 fmb_status fmb_smt_give(fmb_smt_scope *s, size_t symbol, bool sort);
 void fmb_smt_take_back(fmb_smt_scope *s, size_t givens);
-/* A new local meaning; back to the first `locals` of them. Errors: MEMORY. */
+/* Add a local meaning. Below: remove all but the first `locals`. Errors: MEMORY. */
 fmb_status fmb_smt_bind(fmb_smt_scope *s, size_t symbol, fmb_smt_value value);
 void fmb_smt_unbind(fmb_smt_scope *s, size_t locals);
-/* The local meaning that counts here, or NULL. */
+/* The local meaning that is visible here, or NULL. */
 const fmb_smt_local *fmb_smt_find_local(const fmb_smt_scope *s, size_t symbol);
 
 #endif

@@ -190,7 +190,7 @@ fmb_status fmb_write_smt2(const fmb_system *s, FILE *out)
     for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++)
         st = write_assertion(&w, i);
     if (fmb_system_dim(s) == 0 && fmb_system_rows(s) == 0)
-        fputs("(assert (<= 0 0))\n", out); /* a script that says nothing is no system */
+        fputs("(assert (<= 0 0))\n", out); /* a script without assertions is no system */
     if (st == FMB_OK && fmb_system_sense(s) != FMB_SENSE_NONE)
         write_objective_command(&w);
     if (st == FMB_OK)

@@ -1,5 +1,5 @@
-/* state.c: life of what reading an SMT-LIB text needs, the names known from the
- * start, and small steps that commands and terms share. */
+/* state.c: creating and clearing the state of reading an SMT-LIB text, predefined names, and small
+ * steps that commands and terms share. */
 #include <string.h>
 
 #include "io/smt2/term.h"

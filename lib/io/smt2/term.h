@@ -1,6 +1,6 @@
-/* term.h: terms of an SMT-LIB text, and what reading one needs.
+/* term.h: terms of an SMT-LIB text, and the state of reading them.
  *
- * Terms are read with stacks of our own, never by recursion: nesting is bounded by memory alone.
+ * Terms are read with explicit stacks, never by recursion: nesting is bounded by memory alone.
  */
 #ifndef FMB_IO_SMT2_TERM_H
 #define FMB_IO_SMT2_TERM_H
@@ -31,16 +31,16 @@ typedef struct fmb_smt_token {
 
 /* The next token; c is then past it. Errors: PARSE. */
 fmb_status fmb_smt_next(fmb_cursor *c, fmb_smt_token *t);
-/* The next token must be of this kind; what is what the message expects. Errors: PARSE. */
+/* The next token must be of this kind; what names it in the message. Errors: PARSE. */
 fmb_status fmb_smt_expect(fmb_cursor *c, fmb_smt_kind kind, const char *what, fmb_smt_token *t);
-/* Past the closing parenthesis that matches one already read. Errors: PARSE. */
+/* Skip past the closing parenthesis that matches one already read. Errors: PARSE. */
 fmb_status fmb_smt_leave(fmb_cursor *c, const char *open);
-/* Past one expression, an atom or a list. Errors: PARSE. */
+/* Skip one expression, an atom or a list. Errors: PARSE. */
 fmb_status fmb_smt_skip(fmb_cursor *c, const char *what);
 
-/* The token is this reserved word. */
+/* Is the token this reserved word? */
 bool fmb_smt_is_word(const fmb_smt_token *t, const char *word);
-/* Bytes of a symbol that needs no bars, apart from a leading digit. */
+/* May the byte occur in a symbol without bars (which must not begin with a digit)? */
 bool fmb_smt_is_plain(int byte);
 
 /* A define-fun with parameters: its body is read anew at each use. */
@@ -56,22 +56,22 @@ typedef struct fmb_smt_param {
     bool formula;
 } fmb_smt_param;
 
-/* What an open parenthesis waits for. */
+/* What is being read inside an open parenthesis. */
 typedef enum fmb_smt_frame_kind {
     FMB_SMT_APPLY, /* arguments, then ')' */
     FMB_SMT_LET,   /* the term of a binding */
     FMB_SMT_BODY,  /* the body of a let */
     FMB_SMT_NOTE,  /* the term of (! term attributes) */
-    FMB_SMT_CALL   /* the body of a macro, which stands elsewhere in the text */
+    FMB_SMT_CALL   /* the body of a macro, elsewhere in the text */
 } fmb_smt_frame_kind;
 
 typedef struct fmb_smt_frame {
     fmb_smt_frame_kind kind;
     size_t symbol;         /* APPLY */
     const char *at;        /* the parenthesis */
-    const char *back;      /* CALL: where reading goes on */
-    size_t values, locals; /* how many there were */
-    size_t names;          /* LET: pending names there were */
+    const char *back;      /* CALL: where reading continues */
+    size_t values, locals; /* their numbers at the parenthesis */
+    size_t names;          /* LET: number of pending names there */
     size_t visible;        /* CALL: to be restored */
 } fmb_smt_frame;
 
@@ -94,7 +94,7 @@ typedef struct fmb_smt {
     uint32_t *literal; /* scratch of operators */
     size_t literal_capacity;
     mpq_t number; /* scratch */
-    bool named;   /* a command gave a term a global name: its nodes must stay */
+    bool named;   /* a command gave a term a global name: its nodes must be kept */
     bool checked, warned_late;
 } fmb_smt;
 
@@ -107,11 +107,11 @@ fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out);
 /* A symbol that has no global meaning yet. Errors: PARSE, MEMORY. */
 fmb_status fmb_smt_new_name(fmb_smt *r, size_t *symbol, const char **at);
 
-/* The ')' of a command. A term where a formula is needed, or the other way round. Errors: PARSE. */
+/* Read the ')' of a command; check that v is a formula, or that it is a term. Errors: PARSE. */
 fmb_status fmb_smt_close_command(fmb_smt *r);
 fmb_status fmb_smt_check_kind(fmb_smt *r, const fmb_smt_value *v, bool formula);
 
-/* The rest of a command that began at open. Errors: PARSE, MEMORY. */
+/* Execute the rest of a command that began at open. Errors: PARSE, MEMORY. */
 typedef fmb_status fmb_smt_command(fmb_smt *r, const char *open);
 fmb_smt_command fmb_smt_declare_const, fmb_smt_declare_fun, fmb_smt_define_const,
     fmb_smt_define_fun, fmb_smt_define_sort;
@@ -130,8 +130,7 @@ struct fmb_smt_operator {
 
 /* The i-th operator, NULL past the end. */
 const fmb_smt_operator *fmb_smt_operator_at(size_t i);
-/* The operator applied, after a check of number and kind of its arguments. Errors: PARSE, MEMORY.
- */
+/* Check number and kinds of the arguments, then apply the operator. Errors: PARSE, MEMORY. */
 fmb_status fmb_smt_operate(fmb_smt *r, const fmb_smt_operator *op, const char *at,
                            const fmb_smt_value *arg, size_t n, fmb_smt_value *out);
 

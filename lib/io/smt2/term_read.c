@@ -28,7 +28,7 @@ static fmb_status expect_closing(fmb_smt *r, const char *what)
 
 /* ---- let ------------------------------------------------------------------------------------- */
 
-/* All bindings read: they count from here on, all at once. */
+/* All bindings were read: they become visible together. */
 static fmb_status bind_let_names(fmb_smt *r, fmb_smt_frame *f)
 {
     for (size_t k = 0; f->values + k < r->values; k++) {
@@ -44,7 +44,7 @@ static fmb_status bind_let_names(fmb_smt *r, fmb_smt_frame *f)
     return FMB_OK;
 }
 
-/* After a binding, or the parenthesis that starts them: the next one's name, or their end. */
+/* After a binding, or the parenthesis that opens the list: read the next name, or the end. */
 static fmb_status read_next_binding(fmb_smt *r)
 {
     fmb_smt_token t;
@@ -105,8 +105,8 @@ static fmb_status take_all_attributes(fmb_smt *r, fmb_smt_value *v)
 
 /* ---- define-fun with parameters -------------------------------------------------------------- */
 
-/* The top frame, whose arguments are read, becomes the body of the macro. The text read again is
- * paid for: macros that use macros can make a short text very long. */
+/* The top frame, whose arguments are read, becomes the body of the macro. Reading it again is
+ * charged to the budget: nested macros can make a short text very long. */
 static fmb_status enter_macro_body(fmb_smt *r, const fmb_smt_macro *m)
 {
     fmb_smt_frame *f = &r->frame[r->frames - 1];
@@ -137,7 +137,7 @@ static fmb_status enter_macro_body(fmb_smt *r, const fmb_smt_macro *m)
     return st;
 }
 
-/* The body is read: back to where the macro is used. */
+/* The body is read: return to the place where the macro is used. */
 static fmb_status leave_macro_body(fmb_smt *r, const fmb_smt_frame *f, fmb_smt_value *v)
 {
     bool formula = r->macro[r->scope.symbol[f->symbol].index].formula;
@@ -187,7 +187,7 @@ static fmb_status deliver_to_open_frames(fmb_smt *r, size_t base, fmb_smt_value 
     return st;
 }
 
-/* ')' after arguments: the operator gives a value, a macro goes on with its body. */
+/* ')' after arguments: an operator gives a value, a macro continues with its body. */
 static fmb_status close_application(fmb_smt *r, size_t base, const fmb_smt_token *t,
                                     fmb_smt_value *v, bool *ready)
 {

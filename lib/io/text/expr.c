@@ -4,8 +4,8 @@
  *   term       = factor {("*" | "/" | nothing) factor}      nothing: before a name or "("
  *   factor     = {"+" | "-"} (number | name | "(" expression ")")
  *
- * A piece that has been read is a constant plus the terms coef[from..n) of the draft. A product is
- * linear if one of its pieces has no terms. Every product and sum of long numbers is charged.
+ * A subexpression, once read, is a constant plus the terms coef[from..n) of the draft. A product is
+ * linear if one of its factors has no terms. Every product and sum of long numbers is charged.
  */
 #include "io/text/text.h"
 
@@ -46,8 +46,8 @@ static fmb_status read_parenthesis(fmb_text *t, fmb_draft *d, mpq_t constant, in
     return !fmb_accept(c, ")") ? fmb_io_expected(c, c->at, "an operator or ')'") : FMB_OK;
 }
 
-/* A product costs more than a number that is read: (x + y + ...)*1*1*1 and 1e99999*1e99999*... must
- * not take long. Each entry is charged this much, and each of its digits that many times. */
+/* A product costs more than reading a number: (x + y + ...)*1*1*1 and 1e99999*1e99999*... must not
+ * take long. Each entry is charged PRODUCT_ENTRY, and a multiple of its digits. */
 #define PRODUCT_ENTRY 16
 #define PRODUCT_DIGIT 4
 
@@ -59,7 +59,7 @@ static fmb_status multiply_entry(fmb_cursor *c, mpq_ptr a, mpq_srcptr q)
     return fmb_io_charge(c, c->at, PRODUCT_ENTRY + weight * fmb_io_digits(a));
 }
 
-/* constant and the terms from `from` on, times q. */
+/* Multiply constant and the terms from `from` on by q. */
 static fmb_status scale_linear_piece(fmb_text *t, fmb_draft *d, size_t from, mpq_t constant,
                                      const mpq_t q)
 {
@@ -76,8 +76,8 @@ static void negate_linear_piece(fmb_draft *d, size_t from, mpq_t constant)
         mpq_neg(d->coef[k], d->coef[k]);
 }
 
-/* `1e` is 1 times e, or a number whose exponent was cut off: nobody may choose, unless variables
- * are declared. */
+/* `1e` may be 1 times e, or a number whose exponent was cut off: ambiguous, hence refused, unless
+ * variables are declared. */
 static fmb_status refuse_cut_exponent(const fmb_text *t, const char *number)
 {
     fmb_cursor *c = t->c;
@@ -119,8 +119,7 @@ static fmb_status read_signed_factor(fmb_text *t, fmb_draft *d, mpq_t constant, 
     return FMB_OK;
 }
 
-/* The piece (from.., a) times or divided by the piece (middle.., b); p is where the second begins.
- */
+/* Multiply or divide the factor (from.., a) by the factor (middle.., b), which begins at p. */
 static fmb_status combine_factors(fmb_text *t, fmb_draft *d, size_t from, size_t middle, mpq_t a,
                                   mpq_t b, bool divide, const char *p)
 {
@@ -140,8 +139,8 @@ static fmb_status combine_factors(fmb_text *t, fmb_draft *d, size_t from, size_t
     return scale_linear_piece(t, d, from, a, b);
 }
 
-/* Past the operator of a product, if one is here. A name needs an operator behind it, so that
- * x(1) is not taken for a product. */
+/* Skip the operator of a product, if there is one. After a name it is required, so that x(1) is not
+ * read as a product. */
 static bool accept_product_sign(fmb_cursor *c, bool after_name, bool *divide)
 {
     fmb_skip_blanks(c);
@@ -151,8 +150,8 @@ static bool accept_product_sign(fmb_cursor *c, bool after_name, bool *divide)
     return !after_name && (fmb_peek(c) == '(' || is_at_start_of_name(c));
 }
 
-/* Nothing but blanks stands for the operator in front of the cursor: another row may be meant to
- * begin there. */
+/* Only blanks stand for the operator before the cursor: perhaps another row was meant to begin
+ * there. */
 static void note_blank_product(fmb_text *t, const char *factor, const char *end, int depth)
 {
     const char *at = t->c->at;

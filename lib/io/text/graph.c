@@ -30,7 +30,7 @@ static fmb_status open_graph(graph *g, const fmb_system *s)
     return FMB_OK;
 }
 
-/* Variable j of the graph gets a name that it had not, which is free. */
+/* Give variable j of the graph a new name that is free. */
 static fmb_status lengthen_name(fmb_system *s, int j, fmb_mem *mem)
 {
     size_t n = strlen(fmb_system_name(s, j)), room = n + (size_t)fmb_system_dim(s) + 2;
@@ -45,7 +45,7 @@ static fmb_status lengthen_name(fmb_system *s, int j, fmb_mem *mem)
     return st;
 }
 
-/* The coordinate of that name, which stands at p, as a variable of the graph. */
+/* Add the coordinate with this name, read at p, as a variable of the graph. */
 static fmb_status add_coordinate(graph *g, const char *p, fmb_span name, int *index)
 {
     fmb_cursor *c = g->t->c;

@@ -1,11 +1,11 @@
-/* near_duplicate_names.c: names that stand in a .fmb text once and look like a slip of another
- * name: mlik for milk.
+/* near_duplicate_names.c: names that occur in a .fmb text once and look like a misspelling of
+ * another name: mlik for milk.
  *
- * Where a vars line declares the names, a slip is an error; elsewhere it is a new variable, and the
- * answer is about another system. A slip is a letter too many, too few, wrong, or swapped with its
- * neighbour (Damerau 1964). No slips are names that differ in digits (x1, x2), in a letter that
- * counts like one (dist_a, dist_b, flow_ab, flow_ba), or are very short; and if many names look
- * like slips, they are made by a scheme.
+ * Where a vars line declares the names, a misspelling is an error; elsewhere it is a new variable,
+ * and the answer is about another system. A misspelling has a letter too many, too few, wrong, or
+ * swapped with its neighbour (Damerau 1964). Not reported are names that differ in digits (x1, x2)
+ * or in a letter used as an index (dist_a, dist_b, flow_ab, flow_ba), and very short ones; nor any
+ * if many names look alike, as they then follow a scheme.
  */
 #include <string.h>
 
@@ -19,7 +19,7 @@ static bool is_ascii_letter(int b)
     return (b | 32) >= 'a' && (b | 32) <= 'z';
 }
 
-/* From name a to name b, of which b comes `often` or only once. */
+/* Is a one misspelling away from b? b occurs `often`, or only once. */
 static bool is_one_slip_apart(const char *a, const char *b, bool often)
 {
     size_t m = strlen(a), n = strlen(b), from = 0, behind = 0;
@@ -41,8 +41,8 @@ static bool is_one_slip_apart(const char *a, const char *b, bool often)
                           (left || right));
 }
 
-/* The variable that a variable which comes once may have meant, or -1. Of two that come once, the
- * second is the slip. */
+/* The variable that j, which occurs once, may be a misspelling of, or -1. If both occur once, the
+ * second is the misspelling. */
 static int find_near_duplicate(const fmb_text *t, int j)
 {
     const char *name = fmb_system_name(t->s, j);

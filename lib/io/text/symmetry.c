@@ -3,8 +3,8 @@
  *   x y z <> y z x; u <> v      takes x to y, y to z, z to x; and another one, u to v and v to u
  *   #>> AaBb<>BbAa              letters of names, as in files of pystif: H(A,b) goes to H(B,a)
  *
- * A chain becomes a cycle, and all else stays. A name is the same whatever the order of its
- * letters, those in parentheses if there are any. Where there is a line #>>, no other one counts.
+ * A chain becomes a cycle, and other variables are fixed. On lines #>> the order of a name's
+ * letters (of those in parentheses, if any) does not matter. With a line #>>, others are ignored.
  */
 #include <fmb/symmetry.h>
 
@@ -17,7 +17,7 @@
 #include "symmetry/group.h"
 #include "symmetry/row_images.h"
 
-/* A variable by its name with sorted letters, which is there only once. */
+/* A variable by its name with sorted letters, which is unique. */
 typedef struct sorted_name {
     char *key;
     int index;
@@ -39,7 +39,7 @@ enum { LETTERS = 128 };
 
 /* ---- the rule as a permutation --------------------------------------------------------------- */
 
-/* image[dim], which the rule at p says, if it is a symmetry. */
+/* Add the permutation image[dim] of the rule at p, if it is a symmetry. */
 static fmb_status add_symmetry(permutation_reader *r, const char *p)
 {
     fmb_cursor *c = r->t->c;
@@ -71,7 +71,7 @@ static fmb_status fail_at_sign(fmb_cursor *c)
 
 /* ---- names of variables ---------------------------------------------------------------------- */
 
-/* Is there a name at c, behind blanks and commas? */
+/* Is there a name at c, after blanks and commas? */
 static bool is_at_next_name(fmb_cursor *c)
 {
     while (fmb_skip_blanks(c), fmb_peek(c) == ',')
@@ -79,7 +79,7 @@ static bool is_at_next_name(fmb_cursor *c)
     return fmb_peek(c) == '"' || fmb_text_name_char(c->at, (size_t)(c->end - c->at), true) > 0;
 }
 
-/* The name at c; each stands once on its side. */
+/* Read the name at c; each may occur once on its side. */
 static fmb_status read_variable(permutation_reader *r, int *index)
 {
     char found[FMB_QUOTE];
@@ -102,7 +102,7 @@ static fmb_status read_variables(permutation_reader *r, int *list, size_t *n)
     return FMB_OK;
 }
 
-/* The variables on the right are where those on the left go. */
+/* Read the variables on the right, the images of those on the left. */
 static fmb_status read_images_of_list(permutation_reader *r, size_t n)
 {
     memset(r->met, 0, r->most * sizeof *r->met);
@@ -137,7 +137,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(((const sorted_name *)a)->key, ((const sorted_name *)b)->key);
 }
 
-/* key[] becomes the name, its letters replaced (letter[LETTERS], or NULL) and sorted. */
+/* Set key[] to the name with its letters replaced (by letter[LETTERS], or NULL) and sorted. */
 static void sort_letters(const char *name, const int *letter, char *key)
 {
     const char *open = strchr(name, '(');
@@ -149,7 +149,7 @@ static void sort_letters(const char *name, const int *letter, char *key)
     qsort(key + first, n - first, 1, compare_letters);
 }
 
-/* All names in order; two of the same letters are none. */
+/* Sort all names; two with the same letters are an error. */
 static fmb_status open_sorted_names(permutation_reader *r, const char *p)
 {
     fmb_cursor *c = r->t->c;
@@ -189,7 +189,7 @@ static bool is_letter(int b)
     return (b >= 'A' && b <= 'Z') || (b >= 'a' && b <= 'z') || (b >= '0' && b <= '9');
 }
 
-/* Letters up to what is none; each stands once. */
+/* Read letters, each at most once. */
 static fmb_status scan_letters(permutation_reader *r, fmb_span *out)
 {
     fmb_cursor *c = r->t->c;

@@ -1,5 +1,5 @@
-/* text_objective.c: objectives of the .fmb format: the labels that announce them, and a form by
- * itself.
+/* text_objective.c: objectives of the .fmb format: the labels that announce them, and a single form
+ * as a text.
  */
 #include "io/text/text.h"
 #include "system/system_private.h"
@@ -14,7 +14,7 @@ fmb_sense fmb_text_sense(fmb_span label)
     return FMB_SENSE_NONE;
 }
 
-/* All of the text is the form. */
+/* Read a form that is the whole text. */
 static fmb_status read_form_alone(fmb_text *t, fmb_sense sense)
 {
     fmb_cursor *c = t->c;

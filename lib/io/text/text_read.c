@@ -5,8 +5,8 @@
 
 /* ---- labels ---------------------------------------------------------------------------------- */
 
-/* The ':' that ends a label on this line, or NULL. Quoted text is passed over; what cannot stand in
- * a label ends the search. */
+/* The ':' that ends a label on this line, or NULL. Quoted text is skipped; the first byte that a
+ * label cannot have ends the search. */
 static const char *find_label_colon(const fmb_cursor *c)
 {
     for (const char *p = c->at; p < c->end && *p != '\n'; p++) {
@@ -110,7 +110,7 @@ static fmb_status append_chain_link(fmb_text *t, fmb_rel rel, const char *start,
     return fmb_span_label(t->c, *label, t->s, fmb_system_rows(t->s) - 1);
 }
 
-/* The left side, which no relation follows, is what a label such as "max" asks for. */
+/* The left side, without a relation, is the objective if the label is one such as "max". */
 static fmb_status take_objective_line(fmb_text *t, fmb_span label)
 {
     if (fmb_system_sense(t->s) != FMB_SENSE_NONE)
@@ -119,7 +119,7 @@ static fmb_status take_objective_line(fmb_text *t, fmb_span label)
     return fmb_draft_set_objective(t->c, label.p, &t->left, fmb_text_sense(label), t->s);
 }
 
-/* `x >= 1  y >= 2` is x >= 1 y >= 2, or two rows whose line break was lost: nobody may choose. */
+/* `x >= 1  y >= 2` is x >= 1 y >= 2, or two rows whose line break was lost: ambiguous. */
 static fmb_status fail_at_blank_product(fmb_text *t)
 {
     char left[FMB_QUOTE], right[FMB_QUOTE];

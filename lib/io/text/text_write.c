@@ -1,4 +1,4 @@
-/* text_write.c: a system in the .fmb format: a vars line, what is asked for, then the rows. */
+/* text_write.c: a system in the .fmb format: a vars line, project or eliminate, then the rows. */
 #include <string.h>
 
 #include "io/core/utf8.h"
@@ -30,7 +30,7 @@ static void write_row_label(const char *label, FILE *out)
     fputs(": ", out);
 }
 
-/* The variables of which the mark is true; mark NULL: all. */
+/* Write the variables whose mark is true; mark NULL: all. */
 static void write_line_of_names(const fmb_system *s, const char *word,
                                 bool mark(const fmb_system *, int), FILE *out)
 {
@@ -44,7 +44,7 @@ static void write_line_of_names(const fmb_system *s, const char *word,
     fputc('\n', out);
 }
 
-/* The k-th term, q times variable j. A blank between number and name: 2 e3 is not 2e3. */
+/* Write the k-th term, q times variable j, with a blank between: 2 e3 is not 2e3. */
 static void write_signed_term(const fmb_system *s, size_t k, int j, mpq_t q, FILE *out)
 {
     bool minus = mpq_sgn(q) < 0;
@@ -109,7 +109,7 @@ fmb_status fmb_write_text(const fmb_system *s, FILE *out)
     for (size_t i = 0; i < fmb_system_rows(s); i++)
         write_text_row(s, i, q, out);
     if (fmb_system_dim(s) == 0 && fmb_system_rows(s) == 0)
-        fputs("0 <= 0\n", out); /* an empty text is no system */
+        fputs("0 <= 0\n", out); /* an empty text would be no system */
     mpq_clear(q);
     return FMB_OK;
 }

@@ -1,24 +1,24 @@
-/* ask.c: what a script asks, as a system: its reading (reading.h) catches up with the commands that
- * hold; an assumption, or a term of get-value, is taken, answered and taken back.
+/* ask.c: the questions of a script as systems: the reading (reading.h) executes the commands in
+ * force that it has not executed yet; assumptions, or a term of get-value, are added and undone.
  */
 #include "io/smt2/script/script_private.h"
 #include "system/system_private.h"
 
-/* What a question adds to what holds: a command, and what runs it; at 0 nothing. */
+/* The command that a question adds to those in force (at NULL: none), and its reader. */
 typedef struct script_extra {
     const fmb_script_command *at;
-    const char *from; /* where running starts */
+    const char *from; /* where reading starts */
     fmb_smt_command *run;
 } script_extra;
 
-/* The marks of the levels that open at command k. */
+/* Set the marks of the levels that open at command k. */
 static void mark_levels(fmb_script *s, size_t k)
 {
     while (s->marked < s->levels && s->level[s->marked].at == k)
         s->level[s->marked++].mark = fmb_smt_reading_mark(&s->reading);
 }
 
-/* Take all that counts and has not been taken. A warning is given once. */
+/* Execute all commands in force that were not executed yet. A warning is given once. */
 static fmb_status catch_up(fmb_script *s)
 {
     fmb_status st = FMB_OK;
@@ -49,8 +49,8 @@ static fmb_status read_up_to(fmb_script *s, const script_extra *extra, fmb_smt_m
     return fmb_smt_run(&s->reading.r, extra->at->text.p, extra->run);
 }
 
-/* Another reading has to follow, which knows the facts of this one, those told behind the mark by
- * the question itself. */
+/* Prepare another reading with the facts of this one, including those that the question itself gave
+ * after the mark. */
 static fmb_status read_again(fmb_script *s, const fmb_smt_mark *before)
 {
     bool own = s->knew == SIZE_MAX || s->reading.facts.tolds > before->tolds;
@@ -59,8 +59,8 @@ static fmb_status read_again(fmb_script *s, const fmb_smt_mark *before)
     return fmb_smt_reading_begin(&s->reading);
 }
 
-/* What the reading has come to, as a system: nothing is a row that always holds; of a term its
- * value is the objective. */
+/* Hand out the system that was read; without rows it gets one that always holds; the value of a
+ * term becomes the objective. */
 static fmb_status hand_out_system(fmb_script *s, bool term, fmb_system **out)
 {
     fmb_smt_reading *g = &s->reading;
@@ -98,7 +98,7 @@ static fmb_status ask_reading(fmb_script *s, const script_extra *extra, bool ter
     return st;
 }
 
-/* The formulas of a list, all of which shall hold. */
+/* Assert the formulas of a list. */
 static fmb_status run_assumptions(fmb_smt *r, const char *open)
 {
     (void)open;
@@ -168,7 +168,7 @@ static fmb_span find_value_term(fmb_script *s, size_t i)
     return (fmb_span){NULL, 0};
 }
 
-/* A number, left as a row that is still to be made. */
+/* Read a term, whose value is left in the draft of a row. */
 static fmb_status run_value_term(fmb_smt *r, const char *open)
 {
     fmb_smt_value v;

@@ -1,4 +1,4 @@
-/* reading_state.c: a reading that goes on, and its ways back; see reading.h. */
+/* reading_state.c: beginning, marking and undoing an incremental reading; see reading.h. */
 #include "io/smt2/script/reading.h"
 
 #include "system/system_private.h"
@@ -12,7 +12,7 @@ fmb_smt_reading fmb_smt_reading_of(const char *text, size_t size, const fmb_read
     return g;
 }
 
-/* What has been read goes; what is known of unknowns stays. */
+/* Discard all that was read, but keep the facts. */
 static void forget_what_was_read(fmb_smt_reading *g)
 {
     if (!g->s)

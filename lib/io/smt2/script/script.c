@@ -1,8 +1,8 @@
-/* script.c: SMT-LIB scripts that ask more than once; see fmb/io.h.
+/* script.c: SMT-LIB scripts with several questions; see fmb/io.h.
  *
- * The commands of the text are found once. What holds at a place is a list of those that count
- * there, by levels of push. One reading (reading.h) follows: a question (ask.c) hands it those
- * commands that it has not taken yet, and a pop has it take back what they did.
+ * The commands of the text are found once, each flagged whether it is in force at the current
+ * place, by levels of push. One incremental reading (reading.h) follows: a question (ask.c)
+ * executes those commands that it has not executed yet, and a pop undoes them.
  */
 #include <string.h>
 
@@ -17,7 +17,7 @@ static bool is_command(const fmb_script_command *k, const char *word)
     return fmb_span_is(k->word, word);
 }
 
-/* Behind the word, the parenthesis of a list. */
+/* Find the parenthesis of a list after the word. */
 static fmb_status find_inner_list(fmb_cursor *c, fmb_script_command *k)
 {
     fmb_smt_token t;
@@ -167,8 +167,8 @@ void fmb_script_drop_reading(fmb_script *s)
     s->read = s->marked = s->told = s->knew = 0;
 }
 
-/* Back to the first `levels` levels. A reading that began with facts from behind there knew too
- * much. */
+/* Return to the first `levels` levels. A reading that began with facts found after that place is
+ * discarded, as it knew too much. */
 static void return_to_level(fmb_script *s, size_t levels)
 {
     if (s->marked <= levels)
@@ -184,7 +184,7 @@ static void return_to_level(fmb_script *s, size_t levels)
     s->marked = levels;
 }
 
-/* From command `from` on nothing counts, but declarations if they are global. */
+/* No command from `from` on is in force, except global declarations. */
 static void forget_commands(fmb_script *s, size_t from, bool all)
 {
     for (size_t k = from; k < s->at; k++)

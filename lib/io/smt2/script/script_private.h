@@ -1,4 +1,4 @@
-/* script_private.h: a script, whose commands script.c follows, and of which ask.c makes systems. */
+/* script_private.h: a script; script.c steps through its commands, ask.c makes systems of them. */
 #ifndef FMB_IO_SCRIPT_PRIVATE_H
 #define FMB_IO_SCRIPT_PRIVATE_H
 
@@ -7,11 +7,11 @@
 typedef struct fmb_script_command {
     fmb_span word, text;
     size_t inner; /* check-sat-assuming, get-value: offset of the list in text; 0: none */
-    bool counts;  /* at the place that has been reached */
+    bool counts;  /* it is in force at the current place */
 } fmb_script_command;
 
 typedef struct fmb_script_level {
-    size_t at; /* commands in front of its push */
+    size_t at; /* number of commands before its push */
     fmb_smt_mark mark;
 } fmb_script_level;
 
@@ -21,31 +21,31 @@ struct fmb_script {
     char *text; /* [size] */
     size_t size;
     fmb_smt_reading reading;
-    size_t read;   /* commands that it has passed */
-    size_t marked; /* levels whose mark it has set */
-    size_t told;   /* commands up to the last that told a fact */
-    size_t knew;   /* the same, of the facts it began with; SIZE_MAX: a question told some */
+    size_t read;   /* commands that the reading has executed */
+    size_t marked; /* levels whose mark the reading has set */
+    size_t told;   /* commands up to the last that gave a fact */
+    size_t knew;   /* like told, for its initial facts; SIZE_MAX: a question gave some */
     size_t heard;  /* commands whose warnings have been given */
     struct {
         size_t command, i;
         const char *at;
-    } term;         /* the term of get-value that comes next */
+    } term;         /* the next term of get-value */
     size_t scanned; /* tokens of the text, when its commands were found */
     fmb_script_command *command;
     size_t commands, capacity;
     fmb_script_level *level; /* one a push */
     size_t levels, level_capacity;
     size_t at;    /* the next command */
-    size_t asked; /* the last check, or SIZE_MAX */
+    size_t asked; /* the last check command, or SIZE_MAX */
     bool global;  /* declarations outlive pop */
 };
 
-/* What a command asks for; END: nothing. */
+/* The kind of question that a command asks; END: none. */
 fmb_script_kind fmb_script_kind_of(const fmb_script_command *k);
-/* The next question reads all that holds there once more. */
+/* Discard the reading; the next question reads all commands in force there again. */
 void fmb_script_drop_reading(fmb_script *s);
 
-/* Tokens that have been read, over and over, since the script was opened; for tests. */
+/* Tokens read, repetitions included, since the script was opened; for tests. */
 size_t fmb_script_tokens(const fmb_script *s);
 
 #endif

@@ -1,7 +1,7 @@
 /* smt2_read.c: SMT-LIB 2 scripts whose assertions are a conjunction of linear constraints.
  *
- * All assertions of the text are one system; commands that ask, set or print are ignored. What they
- * say of Boolean unknowns holds for the whole text, which is read again for it (formula.h). A
+ * All assertions of the text are one system; commands that ask, set or print are ignored. Facts
+ * about Boolean unknowns hold for the whole text, which is read again with them (formula.h). A
  * script whose meaning depends on the order of its commands (push, pop, reset, assumptions) is
  * refused. Source: Barrett, Fontaine, Tinelli, The SMT-LIB Standard, version 2.6, 2017.
  */
@@ -106,7 +106,7 @@ static const command commands[] = {
     {"check-sat-assuming", refuse_command},
 };
 
-/* They say nothing about the system. */
+/* Commands that do not describe the system. */
 static const char *const ignored[] = {"set-logic",
                                       "set-info",
                                       "set-option",
@@ -137,7 +137,7 @@ fmb_status fmb_smt_run_command(fmb_smt *r, const char *open)
 }
 
 /* A command failed. While Boolean unknowns are open, one that needs a choice between cases is
- * passed over, and after it any other: what it gives a name to may be missing there. */
+ * skipped, and after it any failing one: it may lack a name that the skipped one defines. */
 static fmb_status pass_over_failed_command(fmb_smt *r, const char *open)
 {
     fmb_smt_facts *facts = r->forms.facts;
@@ -197,7 +197,7 @@ fmb_status fmb_smt_end_reading(fmb_cursor *c, const fmb_smt_facts *facts, fmb_st
     return FMB_OK;
 }
 
-/* One reading of the text. *again: another one knows more; what this one made is gone. */
+/* One reading of the text. *again: another one with more facts must follow; s has lost its rows. */
 static fmb_status read_with_facts(fmb_cursor *c, fmb_system *s, fmb_smt_facts *facts, bool *again)
 {
     fmb_smt r;
