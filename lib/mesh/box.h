@@ -1,5 +1,5 @@
-/* box.h: axis-aligned boxes in floats, rounded outward: what they enclose is inside. Points outside
- * may be, too, so boxes that do not meet tell that cells are apart, and others tell nothing.
+/* box.h: axis-aligned bounding boxes in floats, rounded outward: they contain the cells. So boxes
+ * that do not meet prove that the cells are apart; boxes that meet prove nothing.
  */
 #ifndef FMB_MESH_BOX_H
 #define FMB_MESH_BOX_H
@@ -21,7 +21,7 @@ static inline fmb_mesh_box fmb_mesh_box_of_nothing(void)
     return (fmb_mesh_box){{INFINITY, INFINITY, INFINITY, 0}, {-INFINITY, -INFINITY, -INFINITY, 0}};
 }
 
-/* The greatest float that is not above x; least: the least one that is not below. */
+/* The greatest float that is not above x. Below: the least one that is not below x. */
 static inline float fmb_float_below(double x)
 {
     float near = (float)x;
@@ -44,7 +44,7 @@ static inline fmb_mesh_box fmb_mesh_box_around(const double lower[3], const doub
     return b;
 }
 
-/* The least box that has both. */
+/* The least box that contains both. */
 static inline fmb_mesh_box fmb_mesh_box_join(fmb_mesh_box b, fmb_mesh_box c)
 {
     typedef int32_t four __attribute__((vector_size(16), aligned(4)));
@@ -53,8 +53,8 @@ static inline fmb_mesh_box fmb_mesh_box_join(fmb_mesh_box b, fmb_mesh_box c)
                           (fmb_float4)(((four)c.upper & upper) | ((four)b.upper & ~upper))};
 }
 
-/* Around the first and the last place of a box that moves by motion [3]; NULL: it does not. A sum
- * in doubles errs by less than the step from its float to the next one. */
+/* The box around the start and the end of a box that moves by motion[3]; NULL: it does not move. A
+ * sum in doubles errs by less than the step from its float to the next one. */
 static inline fmb_mesh_box fmb_mesh_box_sweep(fmb_mesh_box b, const double *motion)
 {
     for (int j = 0; motion && j < 3; j++) {
@@ -66,7 +66,7 @@ static inline fmb_mesh_box fmb_mesh_box_sweep(fmb_mesh_box b, const double *moti
     return b;
 }
 
-/* Without branches, as what they would tell is new each time. */
+/* Without branches, as these would be unpredictable. */
 static inline bool fmb_mesh_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box *q)
 {
     typedef int64_t two __attribute__((vector_size(16), aligned(4)));
@@ -74,8 +74,8 @@ static inline bool fmb_mesh_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box
     return (in_all[0] & in_all[1]) == -1;
 }
 
-/* The square of the distance of two boxes, off by 6 units of rounding: differences of floats do not
- * underflow, nor do their squares in doubles. */
+/* The square of the distance of two boxes, with at most 6 rounding errors: differences of floats do
+ * not underflow in doubles, nor do their squares. */
 static inline double fmb_mesh_boxes_gap(const fmb_mesh_box *p, const fmb_mesh_box *q)
 {
     double sum = 0;

@@ -1,5 +1,4 @@
-/* cells_as_frames.c: cells as frames by their corners: flat ones, wild ones, and those that move.
- */
+/* cells_as_frames.c: flat, wild and moving cells as frames given by their corners. */
 #include <math.h>
 #include <string.h>
 
@@ -20,7 +19,7 @@ static const fmb_alloc *hook_of(const fmb_mesh_frames *x)
     return x->mem.resize ? &x->mem : NULL;
 }
 
-/* [keep] What asks pairs with this contact. Errors: MEMORY. */
+/* [keep] The pair query for this kind of contact, opened on first use. Errors: MEMORY. */
 static fmb_status open_pair(fmb_mesh_frames *x, fmb_contact contact, fmb_pair **k)
 {
     fmb_pair_options o = {.size = sizeof o};
@@ -67,8 +66,8 @@ static void frame_cell(const fmb_cell *c, const fmb_cell *other, const double *s
                              .speed = speed};
 }
 
-/* Some common point of f[0] and f[1] needs a corner of f[0] that is not among its first ones, which
- * are shared: is sum of c_i > 0, over i of those, possible? */
+/* Have f[0] and f[1] a common point outside their common face? The first corners of f[0] are the
+ * shared ones: can the sum of c_i over the other corners be positive? */
 static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], int shared, bool *out)
 {
     int64_t row[2 * FMB_CELL_MOST_CORNERS] = {0};
@@ -100,8 +99,7 @@ static fmb_status ask_pair(fmb_mesh_frames *x, fmb_contact contact, const fmb_fr
     return st;
 }
 
-/* Which of both is the first matters where one is flat: its points have coordinates that are not
- * unique, those of the other one are. */
+/* If one cell is flat, the other one must come first: coordinates in a flat cell are not unique. */
 fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
                                   bool flat_b, int shared, fmb_mesh_how *out)
 {

@@ -1,4 +1,4 @@
-/* cells_as_frames.h: cells as pairs of frames: flat ones, wild ones, and those that move. */
+/* cells_as_frames.h: flat, wild (mesh_private.h) and moving cells, decided as pairs of frames. */
 #ifndef FMB_MESH_CELLS_AS_FRAMES_H
 #define FMB_MESH_CELLS_AS_FRAMES_H
 
@@ -9,7 +9,7 @@
 #include "mesh/clearance.h"
 #include "mesh/mesh_private.h"
 
-/* What asks pairs of cells as frames; NULL until it is needed, as few meshes have such pairs. */
+/* The queries for pairs of frames; NULL until needed, as few meshes have such pairs. */
 typedef struct fmb_mesh_frames {
     fmb_pair *closed, *open;
     fmb_solver *solver;
@@ -17,10 +17,10 @@ typedef struct fmb_mesh_frames {
     const double *motion; /* of b, or NULL */
 } fmb_mesh_frames;
 
-/* What was opened is to be closed. */
+/* fmb_mesh_frames_close what was opened. */
 void fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion);
 void fmb_mesh_frames_close(fmb_mesh_frames *x);
-/* Any two cells; if something moves, whether they meet (TOUCH). flat_b: b is flat.
+/* Decide any two cells; if something moves, only whether they meet (TOUCH). flat_b: b is flat.
  * Errors: MEMORY. */
 fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
                                   bool flat_b, int shared, fmb_mesh_how *out);
@@ -32,7 +32,7 @@ void fmb_mesh_cells_range(const fmb_cell *a, const fmb_cell *b, const double *mo
 /* [give] The distance, exactly. Errors: MEMORY. */
 fmb_status fmb_mesh_measure_cells(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
                                   fmb_proximity **out);
-/* Are they as near as that? *exactly becomes true if doubles did not tell. Errors: MEMORY. */
+/* Are the cells within the clearance? *exactly: doubles could not decide. Errors: MEMORY. */
 fmb_status fmb_mesh_cells_are_near(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
                                    const fmb_mesh_clearance *m, bool *exactly, bool *out);
 

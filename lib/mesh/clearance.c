@@ -16,8 +16,8 @@ void fmb_mesh_clearance_clear(fmb_mesh_clearance *m)
     mpq_clear(m->square);
 }
 
-/* The square of `above` rounds by a unit, or by less than DBL_MIN where it underflows; the gap of
- * boxes that do not touch is more than twice that. */
+/* The square of `above` has a relative error of one unit, or an absolute one below DBL_MIN if it
+ * underflows; the gap of boxes that do not touch is more than twice that. */
 void fmb_mesh_clearance_set(fmb_mesh_clearance *m, mpq_srcptr square)
 {
     double root = fmb_nearest_root(square);

@@ -19,8 +19,8 @@ static size_t count_keys(const fmb_walk_plan *plan)
     return plan->a->cells > plan->b->cells ? plan->a->cells : plan->b->cells;
 }
 
-/* Counting sort, which keeps the order of equal keys: the hits of all become the first one's, as
- * many as there is room for. start: [keys + 1]. */
+/* Stable counting sort of the hits of all threads into the first thread's list, which has room for
+ * them. start: [keys + 1]. */
 static fmb_status sort_hits_by(bool by_a, fmb_tree_walk *walk, int threads, size_t *start,
                                size_t keys)
 {
@@ -45,8 +45,7 @@ static fmb_status sort_hits_by(bool by_a, fmb_tree_walk *walk, int threads, size
     return FMB_OK;
 }
 
-/* The hits of all threads, in order, are the first one's; there is room for that (share_of_hits).
- */
+/* Sort the hits of all threads into the first thread's list; share_of_hits left room for that. */
 static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
 {
     size_t keys = count_keys(plan);
@@ -63,7 +62,7 @@ static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_tree_walk *walk, int 
 
 enum { MOST_THREADS = 64 };
 
-/* What this thread's last part came to; the others hear of a failure. */
+/* Note the status of this thread's last part; after a failure, stop the others. */
 static void end_part(fmb_tree_walk *x, fmb_status st)
 {
     x->st = st;
@@ -71,10 +70,10 @@ static void end_part(fmb_tree_walk *x, fmb_status st)
         atomic_store(&x->plan->stopped, 1);
 }
 
-/* What is asked of each thread's walk. */
+/* The jobs of all threads. */
 typedef struct walks {
     const fmb_walk_part *part; /* NULL: rows of pairs */
-    size_t from;               /* the first of these */
+    size_t from;               /* the first row */
     fmb_tree_walk *walk;       /* [threads] */
 } walks;
 
@@ -108,7 +107,7 @@ static fmb_status walk_all(fmb_walk_plan *plan, fmb_mem *mem, fmb_tree_walk *wal
     return st;
 }
 
-/* What all came to is the first one's. */
+/* Join the results of all threads in the first one's walk. */
 static fmb_status join_walks(const fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
 {
     fmb_mesh_answer *out = &walk[0].out;
@@ -131,8 +130,7 @@ static fmb_status join_walks(const fmb_walk_plan *plan, fmb_tree_walk *walk, int
     return st == FMB_OK && any ? sort_hits(plan, walk, threads) : st;
 }
 
-/* The limit of a thread's hits [bytes]: while they are sorted there are two of each, and as many
- * counts as there are keys. */
+/* The limit of a thread's hits [bytes]: sorting needs two copies of each, and one count per key. */
 static size_t share_of_hits(const fmb_walk_plan *plan, const fmb_mem *mem, int threads)
 {
     size_t counts = (count_keys(plan) + 1) * sizeof(size_t), taken = mem->used + counts;
@@ -204,7 +202,7 @@ static bool can_be_clearance(const char *within)
     return good;
 }
 
-/* The options that are given, or those by default. Errors: ARG, and why. */
+/* Copy the given options, or the default ones. Errors: ARG, with the reason. */
 static fmb_status read_mesh_options(const fmb_mesh_options *o, fmb_mesh_options *ours, char *why,
                                     size_t size)
 {
@@ -228,7 +226,7 @@ size_t fmb_mesh_options_trouble(const fmb_mesh_options *o, char *text, size_t si
     return fmb_text_give(why, text, size);
 }
 
-/* Numbers of b's points, as a knows them. */
+/* Number b's points consistently with those of a, then find the pairs. */
 static fmb_status meet_with_ids(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answer *out)
 {
     const fmb_mesh *a = plan->a, *b = plan->b;
@@ -251,7 +249,7 @@ static fmb_status meet_with_ids(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answ
     return st;
 }
 
-/* Whatever the version of the caller: what is to be released must have its place. */
+/* Has the caller's answer, whatever its version, the members that must be freed later? */
 static bool can_hold_answer(const fmb_mesh_answer *out)
 {
     return fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) &&

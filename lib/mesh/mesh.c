@@ -9,7 +9,7 @@
 
 /* ---- equal points ---------------------------------------------------------------------------- */
 
-/* Points by their place in a table of open addressing; UINT32_MAX: none. */
+/* A hash table of points, with open addressing; UINT32_MAX: an empty slot. */
 typedef struct point_table {
     uint32_t *slot;
     size_t size; /* a power of two */
@@ -35,7 +35,7 @@ static bool are_equal_points(const double *p, const double *q)
     return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/* The vertex at point v of m that came first; v + offset if it is the first one. Numbers below
+/* The first vertex at the point of vertex v of m; v + offset if v is the first. Numbers below
  * `offset` are vertices of `other`. */
 static uint32_t find_or_enter_point(point_table *t, const fmb_mesh *m, const fmb_mesh *other,
                                     size_t v, size_t offset)
@@ -70,7 +70,7 @@ fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem 
 
 /* ---- cells ----------------------------------------------------------------------------------- */
 
-/* Entry j of difference k of corners, a multiple of 2^-1074 and below 2^1025: as a multiple. */
+/* Entry j of difference k of corners as an integer multiple of 2^-1074; it is below 2^1025. */
 static void set_difference(mpz_t out, const fmb_cell *c, int k, int j)
 {
     mpq_t x, y;
@@ -83,7 +83,7 @@ static void set_difference(mpz_t out, const fmb_cell *c, int k, int j)
     mpq_clears(x, y, NULL);
 }
 
-/* Fewer of the differences are independent than there are: by elimination without fractions. */
+/* Are the differences linearly dependent? Decided by fraction-free elimination. */
 static bool is_flat_at_any_size(const fmb_cell *c)
 {
     mpz_t e[3][3];

@@ -1,8 +1,8 @@
 /* mesh_distance.c: see mesh_distance.h.
  *
- * Depth first, the nearer child first, boxes that are no nearer than the best pair so far left out.
- * What is found is what some pair certainly does not exceed, whatever was left out; a little is
- * added so that doubles tell of the pairs that are as near as that.
+ * Branch and bound, depth first, the nearer child first; boxes no nearer than the best pair so far
+ * are pruned. The bound found is certainly not exceeded by some pair, whatever was pruned; a margin
+ * is added so that doubles can decide which pairs are within it.
  */
 #include "mesh/mesh_distance.h"
 
@@ -10,7 +10,7 @@
 
 enum { PAIRS_BETWEEN_SIGNS = 256 };
 
-/* The least bound so far; boxes whose gap is no less than its square are of no use. */
+/* The search, with the least bound so far; boxes whose gap is not below its square are pruned. */
 typedef struct distance_search {
     fmb_walk_plan *plan;
     double most, gap;
@@ -62,7 +62,7 @@ static fmb_status search_leaves(distance_search *x, const fmb_mesh_node *p, cons
     return st;
 }
 
-/* The larger node of both gives way to its children. */
+/* Search a pair of nodes: the larger one is replaced by its children. */
 static fmb_status search_nodes(distance_search *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
 {
     if (!p->left && !q->left)
@@ -84,7 +84,7 @@ static fmb_status search_nodes(distance_search *x, const fmb_mesh_node *p, const
     return st;
 }
 
-/* Where doubles tell no bound: any pair. */
+/* If doubles give no bound, take the exact distance of any pair. */
 static fmb_status measure_first_cells(fmb_walk_plan *plan, fmb_mesh_frames *frames)
 {
     fmb_cell a = cell_of_first(plan, 0), b = cell_of_second(plan, 0);
@@ -120,7 +120,7 @@ fmb_status fmb_mesh_bound_distance(fmb_walk_plan *plan)
     return st;
 }
 
-/* The first pair that meets is as near as any. */
+/* Choose the nearest hit; the first pair that meets is as near as any. */
 static fmb_status choose_of_hits(fmb_walk_plan *plan, fmb_mesh_frames *frames,
                                  const fmb_mesh_answer *near)
 {

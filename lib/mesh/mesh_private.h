@@ -1,5 +1,5 @@
-/* mesh_private.h: a mesh inside: vertices with their identities, cells with what is known of each,
- * and the tree of boxes over them.
+/* mesh_private.h: the layout of a mesh: vertices with identities, cells with their faults, and the
+ * tree of boxes over the cells.
  */
 #ifndef FMB_MESH_MESH_PRIVATE_H
 #define FMB_MESH_MESH_PRIVATE_H
@@ -10,7 +10,7 @@
 #include "mesh/box.h"
 #include "pair/corners/cell.h"
 
-/* Most cells of a leaf: what a pair of leaves costs is shared by more pairs of cells than with 4.
+/* The most cells of a leaf: with 4, the cost of a pair of leaves is shared by fewer pairs of cells.
  */
 enum { FMB_MESH_LEAF_CELLS = 16 };
 
@@ -21,7 +21,7 @@ typedef struct fmb_mesh_node {
     uint32_t from, to, left; /* left 0: a leaf */
 } fmb_mesh_node;
 
-/* What keeps a cell from being decided by signs. */
+/* Faults that keep a cell from being decided by signs of determinants. */
 enum { FMB_MESH_FLAT = 1, FMB_MESH_WILD = 2 };
 
 struct fmb_mesh {
@@ -31,9 +31,9 @@ struct fmb_mesh {
     double *point;    /* [vertices][3] */
     uint32_t *same;   /* [vertices] the first vertex at the same point */
     uint32_t *corner; /* [cells][corners] */
-    uint32_t *face;   /* [cells] where in its file, or NULL */
-    uint32_t *group;  /* [cells] where in `names` the name of its group begins, or NULL */
-    char *names;      /* [names_size], a NUL behind each: the first, empty, is of no group */
+    uint32_t *face;   /* [cells] number of the face in the file, or NULL */
+    uint32_t *group;  /* [cells] offset in `names` of the name of its group, or NULL */
+    char *names;      /* [names_size], each ends in NUL: the first, empty, means no group */
     size_t names_size;
     uint8_t *faults;   /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
                            WILD: a coordinate is not tame (pair/corners/volume.h) */
@@ -43,7 +43,7 @@ struct fmb_mesh {
     size_t nodes;
 };
 
-/* The cell as one of a mesh; `ids_of` lets points of two meshes be known as equal. */
+/* Cell c of the mesh; ids_of[vertex] are equal for equal points, also of two meshes. */
 static inline fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c)
 {
     fmb_cell out = {.corners = m->corners};
@@ -56,7 +56,7 @@ static inline fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_o
     return out;
 }
 
-/* What a file says of its cells, as above: copied. */
+/* The faces and groups of cells read from a file, as above; they are copied. */
 typedef struct fmb_mesh_origin {
     const uint32_t *face, *group;
     const char *names;
@@ -71,8 +71,8 @@ fmb_status fmb_mesh_new_of_file(int corners, size_t vertices, const double *poin
 /* Build m->order, m->box and m->node. Errors: MEMORY. */
 fmb_status fmb_mesh_grow_tree(fmb_mesh *m);
 
-/* out[v] = the first vertex, of `other` and then of m, at the point of vertex v of m; those of m
- * count from other->vertices on. other may be NULL. Errors: MEMORY. */
+/* out[v] = the number of the first vertex at the point of vertex v of m, where vertices of `other`
+ * come first and those of m count from other->vertices on. other may be NULL. Errors: MEMORY. */
 fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem *mem,
                               uint32_t *out);
 

@@ -1,5 +1,5 @@
-/* tree.c: boxes over boxes: each node halves its cells at the median along the widest extent of
- * their middles. Ties are broken by number, so that the tree is the same everywhere.
+/* tree.c: the tree of bounding boxes: each node splits its cells at the median along the axis on
+ * which their centres extend most. Ties are broken by number, so the tree is the same everywhere.
  */
 #include <string.h>
 
@@ -21,15 +21,15 @@ static void find_ends_of_cell(const fmb_mesh *m, size_t c, double lower[3], doub
     }
 }
 
-/* A cell while the tree grows: the middle of its box in floats, as where cells are cut apart need
- * not be known well, each as an integer in the same order. */
+/* A cell while the tree is built: the centre of its box, in floats, as precision does not matter
+ * for the split; each coordinate is an integer with the same order. */
 typedef struct placed_cell {
     uint32_t middle[3], cell;
 } placed_cell;
 
 enum { SIGN_SHIFT = 31 };
 
-/* Of the bits of a float: negative ones are turned round, others are put behind them. */
+/* A float as an integer of the same order: negative ones are inverted, others get the top bit. */
 static uint32_t order_of_float(float x)
 {
     uint32_t bits;
@@ -45,7 +45,7 @@ static float float_of_order(uint32_t order)
     return x;
 }
 
-/* No two cells have one key. */
+/* The key for sorting; no two cells have the same. */
 static uint64_t key_of_cell(const placed_cell *c, int axis)
 {
     return (uint64_t)c->middle[axis] << 32 | c->cell;
@@ -58,7 +58,7 @@ static void swap_cells(placed_cell *a, placed_cell *b)
     *b = t;
 }
 
-/* The middle one of three becomes the last one. */
+/* Move the median of the three cells to *last. */
 static void move_pivot_to_end(int axis, placed_cell *a, placed_cell *b, placed_cell *last)
 {
     uint64_t of_a = key_of_cell(a, axis), of_b = key_of_cell(b, axis);
@@ -69,8 +69,8 @@ static void move_pivot_to_end(int axis, placed_cell *a, placed_cell *b, placed_c
         swap_cells(a, last);
 }
 
-/* Hoare's quickselect: the cells before `nth` of list[from .. to) are those that belong there. A
- * pass (Lomuto's) has no branch that depends on a key, as half of these would be foretold wrong. */
+/* Hoare's quickselect: afterwards the least cells of list[from .. to) are before `nth`. The
+ * partition (Lomuto's) has no branch on a key, as half of these would be mispredicted. */
 static void select_median(placed_cell *list, int axis, size_t from, size_t to, size_t nth)
 {
     while (to - from > 1) {
@@ -113,7 +113,7 @@ static int widest_axis(const placed_cell *list, size_t from, size_t to)
     return best;
 }
 
-/* A leaf takes its cells over, as they are in the list now. */
+/* Copy the cells of a leaf in their present order of the list. */
 static void fill_leaf(fmb_mesh *m, fmb_mesh_node *n, const placed_cell *list)
 {
     double lower[3], upper[3];
@@ -126,7 +126,7 @@ static void fill_leaf(fmb_mesh *m, fmb_mesh_node *n, const placed_cell *list)
     }
 }
 
-/* Node k, which stands, and all below it. */
+/* Build the subtree of node k, whose range is set. */
 static void grow_node(fmb_mesh *m, placed_cell *list, size_t k)
 {
     fmb_mesh_node *n = &m->node[k];

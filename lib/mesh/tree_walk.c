@@ -31,7 +31,7 @@ static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
     return st;
 }
 
-/* plane: that of a, if it is a triangle. */
+/* Decide a pair of cells and note a hit; plane: of a, if it is a triangle. */
 static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a,
                                         const fmb_triangle_plane *plane, uint32_t i,
                                         const fmb_cell *b, uint32_t j)
@@ -55,7 +55,7 @@ static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a,
 
 enum { LEAVES_BETWEEN_SIGNS = 32 };
 
-/* FMB_LIMIT: stop. */
+/* Add this thread's progress to the plan. FMB_LIMIT: stop. */
 static fmb_status share_progress(fmb_tree_walk *x)
 {
     fmb_walk_plan *plan = x->plan;
@@ -70,7 +70,7 @@ static fmb_status share_progress(fmb_tree_walk *x)
     return fmb_run_poll_now(&x->run);
 }
 
-/* So much more is done. FMB_LIMIT: stop. */
+/* Note that pairs of this weight are done. FMB_LIMIT: stop. */
 static fmb_status note_progress(fmb_tree_walk *x, double weight)
 {
     x->weight += weight;
@@ -80,8 +80,7 @@ static fmb_status note_progress(fmb_tree_walk *x, double weight)
     return share_progress(x);
 }
 
-/* Cells of a leaf by their places in its tree's order, and their boxes; where these come to, if
- * they move. */
+/* Cells of a leaf by their places in the order of the tree, and their boxes, swept if they move. */
 typedef struct leaf_cells {
     int size;
     uint32_t place[FMB_MESH_LEAF_CELLS];
@@ -90,7 +89,7 @@ typedef struct leaf_cells {
     fmb_triangle_plane plane[FMB_MESH_LEAF_CELLS];
 } leaf_cells;
 
-/* Those of leaf n whose boxes are near one around the cells of another leaf. */
+/* List the cells of leaf n whose boxes are near a box around the cells of another leaf. */
 static void list_cells(const fmb_mesh *m, const uint32_t *ids, const fmb_mesh_node *n,
                        const double *motion, const fmb_mesh_clearance *clearance,
                        const fmb_mesh_box *other, leaf_cells *out)
@@ -107,7 +106,7 @@ static void list_cells(const fmb_mesh *m, const uint32_t *ids, const fmb_mesh_no
     }
 }
 
-/* Cell i of p and j of q; of one mesh the smaller number first. */
+/* Decide cell i of p and cell j of q; within one mesh the smaller number comes first. */
 static fmb_status meet_cells(fmb_tree_walk *x, const leaf_cells *p, int i, const leaf_cells *q,
                              int j)
 {
@@ -118,7 +117,7 @@ static fmb_status meet_cells(fmb_tree_walk *x, const leaf_cells *p, int i, const
                 : look_at_pair_of_cells(x, &p->cell[i], &p->plane[i], c, &q->cell[j], d);
 }
 
-/* Of one node with itself: each pair once. */
+/* Decide all pairs of two leaves; of a leaf with itself each pair once. */
 static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
 {
     const fmb_walk_plan *plan = x->plan;
@@ -138,7 +137,7 @@ static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fm
     return st;
 }
 
-/* The larger node of both gives way to its children. */
+/* Visit a pair of nodes: the larger one is replaced by its children. */
 static fmb_status meet_nodes(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q,
                              double weight)
 {
@@ -157,7 +156,7 @@ static fmb_status meet_nodes(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb
     return st;
 }
 
-/* All pairs within one node of the only mesh. */
+/* Visit all pairs within one node; there is only one mesh. */
 static fmb_status meet_within_node(fmb_tree_walk *x, const fmb_mesh_node *p, double weight)
 {
     if (!p->left) {
@@ -197,7 +196,7 @@ fmb_status fmb_walk_row_of_pairs(fmb_tree_walk *x, uint32_t row)
 
 /* ---- parts ----------------------------------------------------------------------------------- */
 
-/* Of a node with itself there are three; of two nodes two. */
+/* Split a part: a node with itself into three, two nodes into two. Returns the number. */
 static int split_part(const fmb_walk_plan *plan, const fmb_walk_part *from, fmb_walk_part out[3])
 {
     const fmb_mesh_node *p = from->p, *q = from->q, *child;
@@ -216,7 +215,7 @@ static int split_part(const fmb_walk_plan *plan, const fmb_walk_part *from, fmb_
     return 2;
 }
 
-/* The first part that can be split gives way to its own, at the end, again and again. */
+/* Repeatedly, the first part that can be split is replaced by its subparts, at the end. */
 int fmb_walk_parts(const fmb_walk_plan *plan, fmb_walk_part out[FMB_WALK_MOST_PARTS])
 {
     int n = 1;
