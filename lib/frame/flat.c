@@ -7,8 +7,8 @@ static void add_normal(fmb_flat_kind *k, int first, int second)
     k->normal[k->normals++][1] = (uint8_t)second;
 }
 
-/* Two edges of one face, for each face of two dimensions. Faces of a tetrahedron: those at its
- * origin, and the one of the differences. */
+/* Add the normal of each 2-dimensional face, by two of its edges. Faces of a tetrahedron: those at
+ * its origin, and the one opposite, whose edges are differences. */
 static void add_normals_of_faces(fmb_flat_kind *k, int side)
 {
     const fmb_flat_side *s = &k->side[side];
@@ -20,7 +20,7 @@ static void add_normals_of_faces(fmb_flat_kind *k, int side)
         add_normal(k, base + 3, base + 4);
 }
 
-/* All edges of one side, or the drift, with all of the other. */
+/* Add the normals of all edges of one side (or the drift) with all edges of the other. */
 static void add_normals_across(fmb_flat_kind *k)
 {
     for (int i = 0; i < k->side[0].edges; i++)
@@ -47,7 +47,7 @@ static void add_normals_in_plane(fmb_flat_kind *k)
         add_normal(k, FMB_FLAT_WORLD + j, 0);
 }
 
-/* The only direction there is. */
+/* The direction of a kind that has only one. */
 static int find_only_direction(const fmb_flat_kind *k)
 {
     return k->side[0].naxes > 0 ? 0 : k->side[1].naxes > 0 ? FMB_FLAT_MOST_EDGES : FMB_FLAT_DRIFT;

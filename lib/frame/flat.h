@@ -1,11 +1,11 @@
-/* flat.h: what normals tell about a pair of frames with any number of axes each.
+/* flat.h: separating normals of a pair of frames with any number of axes each.
  *
- * A facet of B - A (with all places of B while it moves) is parallel to D - 1 independent
- * directions, of edges of A, edges of B, and of the drift; those of one frame belong to one of its
- * faces. So these are all the normals there are (in space cross products of two directions; in the
- * plane one direction, turned): if B - A has an interior then 0 is in it iff it lies inside on all
- * of them. Where the directions are too few for one normal, axes of the world stand in for them:
- * all they can tell is that frames are apart.
+ * A facet of the Minkowski difference B - A (swept along the drift if something moves) is parallel
+ * to D - 1 independent directions: edges of A, edges of B, and the drift; the edges of one frame
+ * lie in one of its faces. These directions give all normals (in space cross products of two
+ * directions; in the plane one direction, turned by 90 degrees): if B - A has an interior, 0 is in
+ * it iff 0 lies inside for all normals. Where there are too few directions for a normal, axes of
+ * the world are added: normals made with these can only prove that frames are apart.
  *
  * Source: Gottschalk, Lin and Manocha 1996, for any faces.
  */
@@ -36,7 +36,7 @@ typedef struct fmb_flat_kind {
     bool needs_world; /* axes of the world are among the directions */
     fmb_flat_side side[2];
     int normals;
-    uint8_t normal[FMB_FLAT_MOST_NORMALS][2]; /* its directions; in the plane the first one */
+    uint8_t normal[FMB_FLAT_MOST_NORMALS][2]; /* its directions; in the plane only the first */
 } fmb_flat_kind;
 
 /* Edge `edge` >= naxes of a simplex goes from the end of axis [0] to that of axis [1]. */

@@ -8,7 +8,7 @@
 
 /* ---- arguments ------------------------------------------------------------------------------- */
 
-/* The first of n numbers that is not finite; n: there is none. */
+/* The index of the first of n numbers that is not finite; n: there is none. */
 static size_t find_infinite(const double *a, size_t n)
 {
     size_t i = 0;
@@ -116,7 +116,7 @@ static fmb_status add_coordinates(const fmb_maker *m, size_t k)
     return FMB_OK;
 }
 
-/* The point has the names that variables have anyway. */
+/* Name the variables; those of the point have default names. */
 static fmb_status add_names(const fmb_maker *m)
 {
     bool point = m->in == FMB_COORDINATES_WORLD || m->in == FMB_COORDINATES_ALL;
@@ -128,7 +128,7 @@ static fmb_status add_names(const fmb_maker *m)
     return m->time >= 0 ? fmb_system_add_variable(m->s, "t", NULL) : FMB_OK;
 }
 
-/* False: more than a system has. */
+/* Count the columns. False: more than a system can have. */
 static bool count_columns(fmb_maker *m)
 {
     const fmb_scene *w = &m->scene;

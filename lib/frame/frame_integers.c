@@ -7,13 +7,13 @@
 #include "num/vec.h"
 
 struct fmb_number_source {
-    /* Make unit a multiple of itself that is a multiple of the denominator. */
+    /* Replace unit by a common multiple of it and the number's denominator. */
     void (*widen)(mpz_t unit, const void *frame, int i, int j);
     /* out = the number times unit. */
     void (*take)(mpz_t out, const void *frame, int i, int j, const mpz_t unit);
 };
 
-/* Of row i of a frame whose rows are origin, edges, speed. */
+/* The index of number j of edge row i, in a frame whose rows are origin, edges, speed. */
 static size_t edge_cell(int i, int j, int dim)
 {
     return (size_t)(i - 1) * (size_t)dim + (size_t)j;

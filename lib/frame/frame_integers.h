@@ -1,10 +1,10 @@
-/* frame_integers.h: frames in whole numbers.
+/* frame_integers.h: frames in integers.
  *
  * On each axis of the world there is a unit, the least common denominator of all the numbers that
  * belong to that axis (a power of two, if they come from doubles). Numbers are counted in those
- * units: a row of a system that says something about world axis j is only multiplied by it. Numbers
- * are converted when they are asked for: of frames in a large space there may be millions. Frames
- * by corners are frames like others from here on.
+ * units: a row about world axis j is only multiplied by the unit. Numbers are converted on demand,
+ * as frames in a large space may have millions of them. Frames given by corners look like others
+ * from here on.
  */
 #ifndef FMB_FRAME_FRAME_INTEGERS_H
 #define FMB_FRAME_FRAME_INTEGERS_H
@@ -13,7 +13,7 @@
 
 #include "trace/run.h"
 
-/* The outline of a frame. Its numbers are [rows][dim]: the origin, the edges, the speed if it
+/* The layout of a frame. Its numbers are [rows][dim]: the origin, the edges, the speed if it
  * moves. */
 typedef struct fmb_integer_frame {
     fmb_shape shape; /* cuboid or simplex */
@@ -32,12 +32,12 @@ typedef struct fmb_scene {
     int dim;
     size_t frames;
     fmb_integer_frame *frame; /* [frames] */
-    mpz_t *unit;              /* [dim], whole and positive: the number of units in 1 */
+    mpz_t *unit;              /* [dim], positive integers: the number of units in 1 */
     const fmb_number_source *from;
 } fmb_scene;
 
-/* Frames that have been checked; they are borrowed. run: whose limits hold, or NULL. Errors:
- * MEMORY, LIMIT. What was opened is closed by fmb_scene_clear. */
+/* The frames were checked before and are borrowed. run: its limits apply; or NULL. fmb_scene_clear
+ * the scene. Errors: MEMORY, LIMIT. */
 fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem,
                                 fmb_run *run);
 fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, fmb_mem *mem,

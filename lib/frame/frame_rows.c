@@ -1,11 +1,11 @@
-/* frame_rows.c: what frames say, as rows of a system; see maker.h. */
+/* frame_rows.c: the constraints of frames as rows of a system; see maker.h. */
 #include "frame/jordan.h"
 #include "frame/maker.h"
 #include "system/system_private.h"
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* row[0..n) REL row[n], with what these have in common divided out if there is a term. */
+/* Append row[0..n) REL row[n]; if it has a term, after division by the common divisor. */
 static fmb_status append_row(const fmb_maker *m, size_t n, fmb_rel rel)
 {
     mpz_ptr g = m->spare[0];
@@ -19,7 +19,7 @@ static fmb_status append_row(const fmb_maker *m, size_t n, fmb_rel rel)
     return fmb_poll_if_limited(m->run);
 }
 
-/* sign (the sum of n variables, numbered from `from`) REL bound */
+/* Append sign (the sum of n variables from number `from` on) REL bound. */
 static fmb_status bound_sum(const fmb_maker *m, int from, int n, int sign, fmb_rel rel,
                             unsigned bound)
 {
@@ -53,7 +53,7 @@ static void add_number(const fmb_maker *m, const fmb_integer_frame *f, int i, in
         mpz_sub(cell, cell, m->spare[0]);
 }
 
-/* Coordinate j of the edges of f, behind the n terms that are there; their number then. */
+/* Append coordinate j of the edges of f after the n terms of the row; returns the new number. */
 static size_t put_edges(const fmb_maker *m, const fmb_integer_frame *f, int from, int j, int sign,
                         size_t n)
 {
@@ -66,7 +66,7 @@ static size_t put_edges(const fmb_maker *m, const fmb_integer_frame *f, int from
     return n;
 }
 
-/* Coordinate j: the point of frame f is that of `first`; or, without one, variable j. */
+/* Append, for coordinate j: the point of frame f equals that of `first`; or variable j. */
 static fmb_status add_meeting_row(const fmb_maker *m, const fmb_integer_frame *first,
                                   const fmb_integer_frame *f, int from, int j)
 {
@@ -154,8 +154,7 @@ static void add_place(const fmb_maker *m, const fmb_integer_frame *f, int j, int
         add_number(m, f, 1 + f->naxes, j, sign, form[m->time]);
 }
 
-/* The coordinates of f, of the point of `last` (or, without one, of the point that is variables).
- */
+/* Add the rows of f for its solved coordinates of the point of `last`, or of the variable point. */
 static fmb_status add_solved(const fmb_maker *m, const fmb_integer_frame *f,
                              const fmb_integer_frame *last)
 {

@@ -1,9 +1,9 @@
 /* jordan.c: see jordan.h.
  *
- * No fractions: with pivot p in row c, and the pivot before it, q (1 at first), every other row r
+ * Fraction-free: with pivot p in row c, and the previous pivot q (1 at first), every other row r
  * becomes (p r - r_c row_c) / q. By Cramer's rule all entries are then minors of order c + 1 of the
- * matrix at the start, so the division leaves no remainder, and numbers grow no longer than those
- * minors. The rows that had their pivots before have p where q was.
+ * initial matrix, so the division is exact, and numbers are no longer than these minors. In earlier
+ * pivot rows the pivot q becomes p.
  *
  * Source: E. H. Bareiss, Mathematics of Computation 22 (1968).
  */
@@ -27,8 +27,8 @@ static void swap_rows(const table *a, int i, int k)
         mpz_swap(row_of_table(a, i)[j], row_of_table(a, k)[j]);
 }
 
-/* Row i, which is not row c, after column c got its pivot. Of columns before c it has no more than
- * its own pivot, which follows. */
+/* Update row i, which is not row c, for the pivot of column c. Before column c it is zero but for
+ * its own pivot, which is updated, too. */
 static void clear_column_in_row(table *a, int i, int c, const mpz_t before)
 {
     mpz_t *r = row_of_table(a, i), *p = row_of_table(a, c);

@@ -1,4 +1,4 @@
-/* jordan.h: Gauss and Jordan's elimination in whole numbers. */
+/* jordan.h: fraction-free Gauss-Jordan elimination in integers. */
 #ifndef FMB_FRAME_JORDAN_H
 #define FMB_FRAME_JORDAN_H
 
@@ -6,9 +6,9 @@
 
 #include "trace/run.h"
 
-/* Combine the rows of cell, [rows][width], until its first n columns are *det times the first n
- * unit vectors, det > 0. run: whose limits hold, or NULL. Errors: ARG (those columns are
- * dependent), LIMIT; cell is then anything. */
+/* Combine the rows of cell, [rows][width], until its first n columns are det times the first n unit
+ * vectors, det > 0. run: its limits apply; or NULL. Errors: ARG (these columns are linearly
+ * dependent), LIMIT; cell is then undefined. */
 fmb_status fmb_jordan(mpz_t *cell, int rows, int width, int n, mpz_t det, fmb_run *run);
 
 #endif

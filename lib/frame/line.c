@@ -3,7 +3,7 @@
 #include "solve/query/solver.h"
 #include "system/system_private.h"
 
-/* [give] The frames alone; without any, no rows over the point. */
+/* [give] A system of the frames alone; without frames, one of the point without rows. */
 static fmb_status start_from_frames(const fmb_frame_line *line, fmb_coordinates in,
                                     fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
                                     fmb_system **out)

@@ -1,14 +1,14 @@
-/* near_jordan.h: the inverse of a small matrix in doubles, by Gauss and Jordan, off by what
- * rounding makes of it. jordan.h does the same exactly. */
+/* near_jordan.h: the inverse of a small matrix in doubles, by Gauss-Jordan elimination, with
+ * rounding errors; jordan.h is exact. */
 #ifndef FMB_FRAME_NEAR_JORDAN_H
 #define FMB_FRAME_NEAR_JORDAN_H
 
 #include <math.h>
 #include <stdbool.h>
 
-enum { FMB_NEAR_JORDAN_MOST = 8 }; /* rows there may be */
+enum { FMB_NEAR_JORDAN_MOST = 8 }; /* the most rows */
 
-/* Row `from` of a in place of row `to`, and the other way round. */
+/* Exchange the rows `from` and `to` of a. */
 static inline void fmb_near_exchange_rows(int n, double (*a)[FMB_NEAR_JORDAN_MOST], int from,
                                           int to)
 {
@@ -45,7 +45,7 @@ static inline void fmb_near_eliminate_column(int n, double (*a)[FMB_NEAR_JORDAN_
     }
 }
 
-/* Gauss and Jordan, in place, the largest entry of a column as its pivot. False: a column is 0. */
+/* Invert a in place, with the largest entry of each column as its pivot. False: a column is 0. */
 static inline bool fmb_near_invert(int n, double (*a)[FMB_NEAR_JORDAN_MOST])
 {
     int from[FMB_NEAR_JORDAN_MOST];
