@@ -1,10 +1,10 @@
 /* adjacent.c: adjacency of extreme rays; see adjacent.h.
  *
- * Simple rays find each other by their edges (edges.h) where that is cheaper than a look at all
- * pairs; what else is adjacent to a simple ray is told by the size of a union. Of two rays that are
- * not simple, a third ray inside the union of supports a and b shares as many zeros with a as b
- * does. So it is looked for among those few alone, which are listed when the first pair of a needs
- * them.
+ * Simple rays find each other by their edges (edges.h) if that is cheaper than a test of all pairs;
+ * for other neighbours of a simple ray the size of a union decides. For two rays a and b that are
+ * not simple, a third ray inside the union of their supports has as many zeros in common with a as
+ * b has. So it is looked for among the few such rays only, which are listed when the first pair of
+ * a needs them.
  */
 #include "dd/adjacent.h"
 #include "base/arrays.h"
@@ -39,7 +39,7 @@ static fmb_status gather_supports(const fmb_cone *c, fmb_mem *mem, fmb_support_p
     return FMB_OK;
 }
 
-/* Bits of the sets whose union with a is larger than `most`. */
+/* Set the bits of the sets whose union with a has more than `most` elements. */
 static fmb_status mark_far_supports(fmb_run *run, const fmb_support_planes *s, const uint64_t *a,
                                     size_t most, uint64_t **far, size_t *capacity)
 {
@@ -66,7 +66,7 @@ static size_t list_unmarked_rays(const uint64_t *far, const uint32_t *ray, size_
     return at;
 }
 
-/* All rays that share zeros enough with a. */
+/* Gather all rays with enough zeros in common with a. */
 static fmb_status gather_near_rays(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a,
                                    size_t most)
 {
@@ -80,7 +80,7 @@ static fmb_status gather_near_rays(fmb_cone *c, fmb_run *run, fmb_adjacency *p, 
     return gather_supports(c, run->mem, &p->near, p->nearby, n);
 }
 
-/* The supports of a and b are inside their union; is another one? */
+/* Two supports inside the union are those of a and b; is there a third? */
 static bool is_third_ray_between(const fmb_cone *c, const fmb_adjacency *p, uint32_t a, uint32_t b)
 {
     const uint64_t *x = fmb_rays_support(&c->ray, a), *y = fmb_rays_support(&c->ray, b);
@@ -104,8 +104,8 @@ fmb_edge_sides fmb_adjacency_sides(const fmb_cone *c)
                             .larges = s->large};
 }
 
-/* A ray of the larger side costs a look at each of the smaller one, or a hash of each edge, which
- * takes as long as so many words in a look (measured: 8 to 16). */
+/* A ray of the larger side costs a test with each ray of the smaller one, or a hash of each edge,
+ * which takes as long as so many words in a test (measured: 8 to 16). */
 #define HASHED_EDGE 12
 
 static bool do_edges_pay(const fmb_edge_sides *of)
@@ -118,7 +118,7 @@ static bool do_edges_pay(const fmb_edge_sides *of)
     return simple * of->words > HASHED_EDGE * degree;
 }
 
-/* The rays of the larger side that are not simple. */
+/* List the rays of the larger side that are not simple. */
 static fmb_status list_crowded_rays(fmb_cone *c, const fmb_edge_sides *of)
 {
     fmb_insertion *s = c->at;
@@ -153,7 +153,7 @@ static fmb_status reserve_pairs(const fmb_cone *c, fmb_adjacency *p, fmb_mem *me
     return FMB_RESERVE(mem, &p->found, &p->found_capacity, c->at->large + c->rank);
 }
 
-/* The neighbours of a simple ray, number i: at its edges, and among those that are not simple. */
+/* Find the neighbours of simple ray number i: at its edges, and among rays that are not simple. */
 static fmb_status find_by_edges(fmb_cone *c, fmb_run *run, fmb_adjacency *p, size_t i, size_t most)
 {
     const fmb_insertion *s = c->at;
@@ -170,7 +170,7 @@ static fmb_status find_by_edges(fmb_cone *c, fmb_run *run, fmb_adjacency *p, siz
     return FMB_OK;
 }
 
-/* Look at all rays of the larger side. A single one with many near rays may take long. */
+/* Test all rays of the larger side. A single ray with many near rays may take long. */
 static fmb_status find_by_unions(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a,
                                  size_t most)
 {

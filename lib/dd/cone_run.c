@@ -1,9 +1,9 @@
-/* cone_run.c: the rows of a cone, one after another; see cone.h.
+/* cone_run.c: inserts the rows of a cone, one after another; see cone.h.
  *
- * Equalities come first, then rows that meet lines: the cone they make has as many rays as rows.
- * Of the other rows the one with most negative rays comes next: what it removes is never combined
- * again. Rows of few coefficients, if they come first, say most of what there is to say where a
- * polyhedron has a structure (cuts, metrics, permutations); rows of many then cut off little.
+ * Equalities come first, then rows that are not zero on some line: their cone has as many rays as
+ * rows. Of the other rows the one with most negative rays comes next: the rays that it removes are
+ * never combined again. Rows with few coefficients, if inserted first, give most of the shape of a
+ * structured polyhedron (cuts, metrics, permutations); rows with many then cut off little.
  */
 #include "dd/cone.h"
 
@@ -103,7 +103,7 @@ void fmb_cone_clear(fmb_cone *c)
 
 /* ---- which row comes next -------------------------------------------------------------------- */
 
-/* The line with the least nonzero entry there; SIZE_MAX if there is none. */
+/* The line with the least nonzero value in the row of that entry; SIZE_MAX if there is none. */
 static size_t find_line_meeting_row(const fmb_cone *c, size_t entry)
 {
     size_t best = SIZE_MAX;
@@ -119,7 +119,7 @@ static size_t find_line_meeting_row(const fmb_cone *c, size_t entry)
     return best;
 }
 
-/* The lightest row of that kind that meets a line, number c->left[*k]; false if there is none. */
+/* The lightest row of that kind not zero on some line, number c->left[*k]; false: there is none. */
 static bool choose_row_on_line(const fmb_cone *c, bool equality, size_t *k, size_t *line)
 {
     size_t least = SIZE_MAX;
@@ -137,7 +137,7 @@ static bool choose_row_on_line(const fmb_cone *c, bool equality, size_t *k, size
     return least < SIZE_MAX;
 }
 
-/* A carried row: number c->left[*k], which meets line *line (SIZE_MAX: none). */
+/* Choose a carried row, number c->left[*k], and a line on which it is nonzero (SIZE_MAX: none). */
 static void choose_carried_row(const fmb_cone *c, size_t *k, size_t *line)
 {
     size_t most = 0, least = SIZE_MAX;
@@ -156,7 +156,7 @@ static void choose_carried_row(const fmb_cone *c, size_t *k, size_t *line)
     }
 }
 
-/* The row at entry coords + k is inserted: its values go. */
+/* After the row at entry coords + k is inserted: remove its values. */
 static fmb_status drop_carried_row(fmb_cone *c, size_t k)
 {
     c->lefts--;
@@ -169,7 +169,7 @@ static fmb_status drop_carried_row(fmb_cone *c, size_t k)
 
 /* ---- the rows, one after another ------------------------------------------------------------- */
 
-/* Equalities come before there are rays: one that meets no line says nothing new. */
+/* Equalities come before there are rays: one that is zero on all lines is implied. */
 static fmb_status insert_row(fmb_cone *c, size_t row, size_t entry, size_t line)
 {
     c->at->entry = entry;
@@ -191,7 +191,7 @@ static fmb_status insert_next_row(fmb_cone *c)
     return st == FMB_OK ? insert_row(c, k, c->coords, line) : st;
 }
 
-/* Is a row in progress, or one left? */
+/* Is a row in progress, or one not yet inserted? */
 static bool is_cone_unfinished(const fmb_cone *c)
 {
     return c->at->running || (c->of.keep ? c->lefts > 0 : c->next < c->of.m);

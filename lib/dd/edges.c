@@ -1,8 +1,8 @@
-/* edges.c: adjacent simple rays by their edges; see edges.h.
+/* edges.c: adjacency of simple rays by their edges; see edges.h.
  *
- * The hash of a set is the sum modulo 2 of a word for each element, so that an element goes by one
- * operation. It only proposes: a pair stands if the two rays share rank - 2 zeros, and the second
- * is positive in the one that the first has left out.
+ * The hash of a set is the exclusive or of a word for each element, so that removing an element is
+ * one operation. Equal hashes only propose a pair: it is accepted if the two rays have rank - 2
+ * zeros in common, and the second is positive in the row that the edge of the first leaves out.
  */
 #include "dd/edges.h"
 
@@ -27,7 +27,7 @@ static uint64_t word_of_bit(size_t bit)
     return x ^ (x >> 31);
 }
 
-/* Bits among 64 w ... 64 w + 63 where the ray is zero. */
+/* The rows number 64 w ... 64 w + 63 in which the ray is zero, as bits. */
 static uint64_t zeros_in_word(const fmb_edge_sides *of, uint32_t ray, size_t w)
 {
     uint64_t zeros = ~of->support[ray * of->words + w];
@@ -58,7 +58,7 @@ fmb_status fmb_ray_edges_begin(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_r
     return st;
 }
 
-/* The first free place from the key's own on; another thread may take it in between. */
+/* Use the first free place from the key's own on; another thread may take it meanwhile. */
 static void put_edge_into_table(fmb_ray_edges *e, uint64_t key, uint32_t number)
 {
     for (size_t at = (size_t)key & e->mask;; at = (at + 1) & e->mask) {
@@ -70,7 +70,7 @@ static void put_edge_into_table(fmb_ray_edges *e, uint64_t key, uint32_t number)
     }
 }
 
-/* The edges of simple ray number i of the smaller side go into the table. */
+/* Enter the edges of simple ray number i of the smaller side into the table. */
 static void enter_edges(fmb_ray_edges *e, const fmb_edge_sides *of, size_t i)
 {
     uint64_t hash = hash_zeros(of, of->small[i]);
@@ -84,7 +84,7 @@ static void enter_edges(fmb_ray_edges *e, const fmb_edge_sides *of, size_t i)
         }
 }
 
-/* Is that edge one of ray b, too? */
+/* Is that edge also one of ray b? */
 static bool ends_edge_at(const fmb_ray_edges *e, const fmb_edge_sides *of, size_t number,
                          uint32_t b)
 {
@@ -96,7 +96,7 @@ static bool ends_edge_at(const fmb_ray_edges *e, const fmb_edge_sides *of, size_
     return n + of->rank == of->bits + 2 && fmb_set_has(y, gone);
 }
 
-/* An edge has one end on the larger side: no two rays write the same one. */
+/* An edge has at most one end on the larger side: no two rays write the same one. */
 static void look_up_edges(fmb_ray_edges *e, const fmb_edge_sides *of, uint32_t b)
 {
     uint64_t hash = hash_zeros(of, b);

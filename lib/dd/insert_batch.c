@@ -1,14 +1,14 @@
-/* insert_batch.c: pairs of rays by several threads; see adjacent.h.
+/* insert_batch.c: combines pairs of rays by several threads; see adjacent.h.
  *
- * Rays of the smaller side come in batches. First each chunk finds the neighbours of its rays; then
- * new rays get their places, in the order of one thread; then each chunk fills in its own. A batch
- * ends where one thread would have paused: what was made beyond that goes again.
+ * The rays of the smaller side are taken in batches. First each chunk finds the neighbours of its
+ * rays; then new rays get their places, in the order of one thread; then each chunk computes its
+ * own. A batch ends where one thread would have paused: new rays beyond that are removed.
  */
 #include "dd/adjacent.h"
 
-/* What costs as much as a new ray: looks at so many rays of the larger side. */
+/* So many tests of rays of the larger side cost as much as a new ray. */
 #define LOOKS_OF_RAY 64
-/* New rays in a chunk, about. */
+/* About the number of new rays in a chunk. */
 #define WORTH_A_CHUNK 1024
 
 /* ---- neighbours ------------------------------------------------------------------------------ */
@@ -31,7 +31,7 @@ static fmb_status find_neighbours_of_chunk(void *self, size_t k, fmb_run *run)
     return st;
 }
 
-/* The next ray of the smaller side, as so many small new rays. */
+/* The work for the next ray of the smaller side, counted in small new rays. */
 static size_t work_of_ray(const fmb_cone *c)
 {
     const fmb_insertion *s = c->at;
@@ -57,7 +57,7 @@ static void divide_batch(fmb_cone *c, uint64_t most)
 
 /* ---- new rays -------------------------------------------------------------------------------- */
 
-/* Up to where a pause is due if all of them are small. */
+/* Add new rays up to the number at which a pause is due if all of them are small. */
 static fmb_status make_room_for_rays(fmb_cone *c, uint64_t most)
 {
     uint64_t made = c->made;
@@ -97,7 +97,7 @@ static fmb_status make_rays_of_chunk(void *self, size_t k, fmb_run *run)
     return st;
 }
 
-/* New rays are the cone's own, whatever has happened. */
+/* Charge the new rays to the cone, even after an error. */
 static void take_over_rays(fmb_cone *c)
 {
     fmb_insertion_workers *w = c->at->workers;

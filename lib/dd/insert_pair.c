@@ -1,4 +1,4 @@
-/* insert_pair.c: the ray of one pair, and what is counted of rays; see insert.h. */
+/* insert_pair.c: computes the ray of one pair, and counts of rays; see insert.h. */
 #include "dd/insert.h"
 
 fmb_status fmb_insertion_combine(const fmb_cone *c, size_t at, uint32_t a, uint32_t b, fmb_num *num)
@@ -11,7 +11,7 @@ fmb_status fmb_insertion_combine(const fmb_cone *c, size_t at, uint32_t a, uint3
     return fmb_vec_cancel(&r->v[at], &r->v[a], &r->v[b], r->width, c->at->entry, num);
 }
 
-/* So many small rays take as long as one of GMP's integers. */
+/* A ray of GMP integers takes as long as so many small rays. */
 #define WIDE_RAY 16
 
 uint64_t fmb_ray_price(const fmb_vec *v)

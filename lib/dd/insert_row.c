@@ -1,8 +1,8 @@
-/* insert_row.c: one row comes into a cone; see insert.h.
+/* insert_row.c: inserts one row into a cone; see insert.h.
  *
- * Rays that are negative in the row go; each pair of adjacent rays on its two sides makes a new
- * one, positive wherever one of the two is (but for the row itself). Until the last pair is done
- * the old rays stay where they are, so that the work may stop after any ray of the smaller side.
+ * Rays that are negative in the row are removed; each pair of adjacent rays on its two sides makes
+ * a new one, positive wherever one of the two is (except in the row itself). The old rays stay in
+ * place until the last pair is done, so that the work may pause after any ray of the smaller side.
  */
 #include "dd/insert.h"
 
@@ -32,7 +32,7 @@ static void count_all_negatives(fmb_cone *c, int sign)
         fmb_cone_count_negatives(c, &c->ray.v[i], sign, c->negatives);
 }
 
-/* Move v along the line to where the row is 0. */
+/* Move v along the line to where the row is zero. */
 static fmb_status move_along_line(fmb_cone *c, fmb_vec *v, const fmb_vec *line, size_t entry)
 {
     if (fmb_vec_sgn(v, entry) == 0)
@@ -42,7 +42,7 @@ static fmb_status move_along_line(fmb_cone *c, fmb_vec *v, const fmb_vec *line, 
     return st == FMB_OK ? fmb_run_poll_step(c->run, fmb_vec_is_wide(v)) : st;
 }
 
-/* The line, turned to where the row is positive, becomes a ray: in all rows before it is 0. */
+/* Turn the line to where the row is positive and make it a ray: it is zero in all earlier rows. */
 static fmb_status make_ray_of_line(fmb_cone *c, size_t row, size_t entry, size_t i)
 {
     FMB_TRY(fmb_rays_reserve_bits(&c->ray, c->bits + 1));
@@ -84,7 +84,7 @@ static size_t list_rays_of_sign(const fmb_cone *c, fmb_insertion *s, size_t at, 
     return at;
 }
 
-/* Rays by their signs in the row. */
+/* List the rays by their signs in the row. */
 static void list_sides_of_row(const fmb_cone *c, fmb_insertion *s)
 {
     s->large = list_rays_of_sign(c, s, 0, -1);

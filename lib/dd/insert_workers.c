@@ -1,7 +1,7 @@
-/* insert_workers.c: threads that look at each ray of a cone; see adjacent.h. */
+/* insert_workers.c: jobs on each ray of a cone by several threads; see adjacent.h. */
 #include "dd/adjacent.h"
 
-/* Simple rays whose edges are worth several threads; and rays of which an entry is looked at. */
+/* So many simple rays, or rays of which an entry is processed, are worth several threads. */
 #define WORTH_WORKERS 2048
 #define WORTH_A_LOOK  16384
 
@@ -82,7 +82,7 @@ fmb_status fmb_insertion_find_signs(fmb_cone *c)
     return FMB_OK;
 }
 
-/* What rays hold is counted aside while a chunk works on them, with as much room as it has. */
+/* While a chunk works on rays their memory is counted separately, with the chunk's own limit. */
 static fmb_mem count_rays_aside(const fmb_cone *c, fmb_side_part part, const fmb_mem *chunk)
 {
     fmb_mem aside;
