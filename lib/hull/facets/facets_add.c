@@ -1,10 +1,10 @@
-/* facets_add.c: a generator more: inside, beyond some facets, or outside of the span; see facets.h.
+/* facets_add.c: adds a generator: inside, beyond some facets, or outside the span; see facets.h.
  */
 #include <string.h>
 
 #include "hull/facets/facets_private.h"
 
-/* The one at hand is outside: it gets a number. */
+/* The new generator is outside the cone: give it a number. */
 static fmb_status number_generator(fmb_facets *f)
 {
     fmb_mem *mem = f->num.mem;
@@ -35,7 +35,7 @@ bool fmb_facets_is_off_span(fmb_facets *f, const fmb_vec *v)
     return find_equation_off(f, v) < f->d;
 }
 
-/* On which side of a facet is the generator at hand? Those that matter are listed. */
+/* Find the side of facet `at` on which the new generator is; list visible and touched facets. */
 static fmb_status find_side(fmb_facets *f, uint32_t at)
 {
     fmb_facet *a = &f->facet[at];
@@ -49,7 +49,7 @@ static fmb_status find_side(fmb_facets *f, uint32_t at)
     return FMB_OK;
 }
 
-/* From one facet that sees it to all that do, and those beside them. */
+/* From one visible facet, find all visible ones and their neighbours. */
 static fmb_status reach_from_facets_that_see(fmb_facets *f)
 {
     for (size_t i = 0; i < f->seens; i++) {
@@ -63,11 +63,11 @@ static fmb_status reach_from_facets_that_see(fmb_facets *f)
     return FMB_OK;
 }
 
-/* Facets are the vertices of a polytope in the dual space, ridges its edges; the generator is a
- * linear form there. By the simplex method, where that is not least there is an edge on which it
- * falls: so a facet that holds it, if any sees it, is beside one that sees it; and those that see
- * it hang together, as the way down from each ends where it is least, and the least ones are a
- * face. The search for one begins at slot number first. */
+/* Facets are the vertices of a polytope in the dual space, ridges its edges, and the new generator
+ * is a linear form there. By the simplex method, at a vertex where the form is not least, some edge
+ * decreases it: so if any facet is visible, a touched facet is adjacent to a visible one; and the
+ * visible facets are connected, as a descent from each ends where the form is least, and the least
+ * vertices form a face. The search for a visible facet begins at slot number first. */
 static fmb_status find_sides(fmb_facets *f, size_t first)
 {
     f->seens = f->toucheds = 0;
@@ -88,7 +88,7 @@ static fmb_status load_generator(fmb_facets *f, fmb_status st)
     return st;
 }
 
-/* Take in what has been loaded, which may be beyond facet `at`. */
+/* Add the generator that has been loaded, which may be beyond facet `at`. */
 static fmb_status add_generator_at_hand(fmb_facets *f, size_t at, bool *grown)
 {
     fmb_status st = FMB_OK;

@@ -1,15 +1,15 @@
-/* facets_cut.c: a generator beyond some facets; see facets.h.
+/* facets_cut.c: adds a generator beyond some facets; see facets.h.
  *
- * Facets that see the generator g go. Each ridge between one of those, v, and one that does not see
- * it, n, spans a facet with g: the combination of both normals that is 0 on g. A facet whose
- * hyperplane holds g grows by it; it has a ridge with one that goes. On a facet that is new stands,
- * besides g, what stands on both v and n: the combination is 0 exactly where both are.
- * Ridges between facets that are new or have grown come last (facets_ridges.c).
+ * Facets visible from the generator g are removed. Each ridge between a visible facet v and one
+ * with g strictly inside, n, spans a new facet with g: the combination of both normals that is 0 on
+ * g. A touched facet, whose hyperplane contains g, gets g, too; it is adjacent to a visible one. On
+ * a new facet are, besides g, the generators on both v and n: the combination is 0 exactly where
+ * both are. Ridges between new and touched facets are found last (facets_ridges.c).
  */
 #include "hull/facets/facets_private.h"
 #include "num/bitset.h"
 
-/* Combinations of so many bits stay small. */
+/* Combinations with at most so many bits stay small. */
 #define EXACT_BITS 56
 
 /* ---- new facets ------------------------------------------------------------------------------ */
@@ -22,8 +22,8 @@ static fmb_status need_value(fmb_facets *f, fmb_facet *a)
     return fmb_facets_evaluate(f, &a->normal);
 }
 
-/* Short numbers are quicker than doubles with bounds; and where there are equations, normals are
- * not told by what is on them. */
+/* Short integers are faster than doubles with bounds; and if there are equations, normals are not
+ * determined by the generators on their facets. */
 static bool is_combination_exact(const fmb_facets *f, const fmb_facet *n, const fmb_facet *v)
 {
     const fmb_vec *p = &n->normal, *q = &v->normal, *g = &f->g;
@@ -86,9 +86,9 @@ static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
     return FMB_OK;
 }
 
-/* ---- the whole way --------------------------------------------------------------------------- */
+/* ---- the whole cut --------------------------------------------------------------------------- */
 
-/* Facets that stay were valued for a facet that is new, whose first neighbour they are. */
+/* Remaining facets were valued for a new facet, whose first neighbour they are. */
 static fmb_status forget_values(fmb_facets *f)
 {
     for (size_t i = 0; i < f->mades; i++) {

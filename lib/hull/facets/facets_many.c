@@ -1,14 +1,14 @@
-/* facets_many.c: many generators, those farthest out first; see facets.h.
+/* facets_many.c: adds many generators, the farthest ones first; see facets.h.
  *
- * Each vector that may still be beyond some facet waits at one that it is beyond. The one farthest
- * beyond its facet comes next. Those that waited at facets which go then are asked about the new
- * facets, and about those that grow: if they are beyond none of these, they are inside for ever.
+ * Each vector that may still be outside waits at a facet that it is beyond. The one farthest beyond
+ * its facet is added next. Vectors that wait at removed facets are then tested against the new and
+ * the touched facets: if they are beyond none of these, they are inside for good.
  *
- * Proof. Say p, waiting at v, which goes as g comes, is beyond a facet of the new cone. The facets
- * of the old cone that p is beyond hang together, ridge by ridge. If all of them go, those of the
- * new cone that p is beyond are new, or have grown. Else some that goes, v', shares a ridge with
- * some n that stays. If n has grown, p is beyond that. If not, n is positive on g, and the new
- * facet over that ridge is a combination of n and v' with positive numbers: p is beyond it.
+ * Proof. Let p wait at v, which is removed as g is added, and be beyond a facet of the new cone.
+ * The facets of the old cone that p is beyond are connected by ridges. If all are removed, those of
+ * the new cone that p is beyond are new or touched. Else a removed one, v', shares a ridge with a
+ * remaining one, n. If n is touched, p is beyond a touched facet. If not, n is positive on g, and
+ * the new facet over that ridge is a combination of n and v' with positive numbers: p is beyond it.
  *
  * Source: Barber, Dobkin, Huhdanpaa 1996, The quickhull algorithm for convex hulls, lemma 3.1.
  */
@@ -18,10 +18,10 @@
 
 #define NOBODY UINT32_MAX
 
-/* At a facet, by slot. */
+/* The vectors waiting at a facet, by slot. */
 typedef struct queue {
-    uint32_t first; /* the one farthest beyond */
-    double depth;   /* how far, roughly */
+    uint32_t first; /* the farthest one */
+    double depth;   /* its distance in doubles */
 } queue;
 
 struct fmb_facet_crowd {
@@ -29,10 +29,10 @@ struct fmb_facet_crowd {
     const fmb_vec *v; /* [size] */
     size_t size, t;
     double *near;   /* [size][d] the vectors, scaled so that distances are comparable */
-    uint32_t *next; /* [size] who waits at the same facet */
+    uint32_t *next; /* [size] the next vector at the same facet */
     queue *at;      /* [slots] */
     size_t slots, capacity;
-    uint32_t turn; /* the facet whose first comes next */
+    uint32_t turn; /* the facet whose first vector comes next */
 };
 
 typedef struct fmb_facet_crowd crowd;
@@ -43,7 +43,7 @@ typedef struct fmb_facet_crowd crowd;
  * and the bounds of these, do not overflow. */
 enum { MOST_EXPONENT = 900, LEAST_EXPONENT = -1200 };
 
-/* Entry k is that number times 2^*exponent, cut off after 53 bits; it is within 1/2 ... 1, or 0. */
+/* Entry k is the result, from 1/2 to 1 or 0, times 2^*exponent, truncated to 53 bits. */
 static double take_apart(const fmb_vec *v, size_t k, long *exponent)
 {
     int e;
@@ -67,13 +67,13 @@ static long find_largest_exponent(const fmb_vec *v, size_t d, size_t *column)
     return most;
 }
 
-/* Points get the coordinate t = 1, rays a largest coordinate of about 1; or less, where some other
+/* Points get the coordinate t = 1, rays a largest coordinate of about 1; or less, if another one
  * would overflow.
  *
- * Theorem. x_k = s v_k up to a factor within 1 +- 2^-50, and up to 2^-1075, for some s > 0.
- * Proof. Entry k is cut off and divided: a factor within 1 +- 2^-51. The divisor, as cut off, is
- * the same for all entries, as is the power of two: they are in s. Only ldexp may underflow, once;
- * what is less than 2^LEAST_EXPONENT becomes 0 either way. */
+ * Theorem. x_k = s v_k up to a factor within 1 +- 2^-50, and up to 2^-1075, for some s > 0. Proof.
+ * Entry k is truncated and divided: a factor within 1 +- 2^-51. The truncated divisor is the same
+ * for all entries, as is the power of two: they are in s. Only ldexp may underflow, once; entries
+ * less than 2^LEAST_EXPONENT become 0 either way. */
 static void scale_vector(const fmb_vec *v, size_t d, size_t t, double *x)
 {
     size_t largest, unit = t;
@@ -109,7 +109,7 @@ static void wait_at_facet(crowd *c, uint32_t a, uint32_t i)
     *place = i;
 }
 
-/* If the vector is beyond one of these facets for sure, it waits there. */
+/* If the vector is certainly beyond one of these facets, let it wait there. */
 static bool look_for_sure_facet(crowd *c, uint32_t i, const uint32_t *facet, size_t facets,
                                 bool *doubtful)
 {
@@ -127,7 +127,7 @@ static bool look_for_sure_facet(crowd *c, uint32_t i, const uint32_t *facet, siz
     return false;
 }
 
-/* The same where doubts are looked into. */
+/* The same with doubtful signs decided exactly. */
 static fmb_status look_for_facet(crowd *c, uint32_t i, const uint32_t *facet, size_t facets,
                                  bool *waits)
 {
@@ -172,7 +172,7 @@ static fmb_status add_from_crowd(crowd *c, size_t i)
     return fmb_facets_add_vec(c->f, &c->v[i], &grown);
 }
 
-/* Those farthest out both ways in each coordinate. */
+/* Add the extreme vectors in both directions of each coordinate. */
 static fmb_status add_outermost_vectors(crowd *c)
 {
     size_t d = c->f->d;
@@ -188,7 +188,7 @@ static fmb_status add_outermost_vectors(crowd *c)
     return FMB_OK;
 }
 
-/* After this all vectors are in the span of the generators. */
+/* Add vectors until all are in the span of the generators. */
 static fmb_status add_vectors_off_the_span(crowd *c)
 {
     for (size_t i = 0; i < c->size && c->f->rank < c->f->d; i++)
@@ -212,7 +212,7 @@ static fmb_status send_all_to_facets(crowd *c)
     return FMB_OK;
 }
 
-/* The first one at facet a becomes a generator; those at facets that go move on. Facets count as
+/* Make the first vector at facet a a generator; vectors at removed facets move on. Facets count as
  * rows. */
 static fmb_status add_first_at_facet(crowd *c, uint32_t a)
 {
@@ -235,7 +235,7 @@ static fmb_status add_first_at_facet(crowd *c, uint32_t a)
     return FMB_OK;
 }
 
-/* The next facet at which somebody waits, from the one whose turn it is; NOBODY: there is none. */
+/* The next facet with a waiting vector, from the one whose turn it is; NOBODY: there is none. */
 static uint32_t find_facet_waited_at(const crowd *c)
 {
     for (size_t k = 0; k < c->slots; k++) {

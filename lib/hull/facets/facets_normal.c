@@ -1,19 +1,19 @@
 /* facets_normal.c: the normal of a facet from the generators on it; see facets.h.
  *
- * Its entries are the minors of d - 1 independent generators, a column left out in turn. Minors of
- * k rows, in every set of k columns, give those of k + 1 rows by expansion along the last row
- * (Laplace): no divisions, and d 2^(d-1) products, which is why this is for few columns. If all new
- * minors are 0, the generator depends on those before it, and another one is taken.
+ * Its entries are the minors of d - 1 independent generators, each without one of the columns.
+ * Minors of k rows, in every set of k columns, give those of k + 1 rows by expansion along the last
+ * row (Laplace): no divisions, and d 2^(d-1) products, so this is for few columns. If all new
+ * minors are 0, the generator depends on the earlier ones, and another one is tried.
  *
- * By Hadamard's inequality a minor is no larger than the product of the lengths of its rows. Where
- * that fits into 126 bits, sums on the way may wrap around: modulo 2^128 they come out right.
+ * By Hadamard's inequality a minor is no larger than the product of the lengths of its rows. If
+ * that fits into 126 bits, intermediate sums may wrap around: modulo 2^128 the results are right.
  */
 #include "hull/facets/facets_private.h"
 #include "num/gcd.h"
 
 #define MOST_SETS ((size_t)1 << FMB_FACETS_FEW)
 
-/* Minors so far, by set of columns: rows of them. */
+/* The minors of the rows so far, by set of columns. */
 typedef struct minors {
     size_t d, rows;
     fmb_i128 *s;
@@ -50,7 +50,7 @@ static void expand_wide_minor(minors *m, uint32_t set, const fmb_vec *g, mpz_t r
     }
 }
 
-/* *added: g is independent of the rows so far, and a row now. */
+/* *added: g is independent of the rows so far, and became a row. */
 static void add_row_to_minors(minors *m, const fmb_vec *g, mpz_t room, bool *added)
 {
     uint32_t end = (uint32_t)1 << m->d;
@@ -67,7 +67,7 @@ static void add_row_to_minors(minors *m, const fmb_vec *g, mpz_t room, bool *add
 
 /* ---- the normal ------------------------------------------------------------------------------ */
 
-/* Of a small vector: its length squared is less than 2 to that. */
+/* For a small vector, the least b with length^2 < 2^b. */
 static int bits_of_squared_length(const fmb_vec *v, size_t d)
 {
     fmb_u128 sum = fmb_u128_of(0);
@@ -76,7 +76,7 @@ static int bits_of_squared_length(const fmb_vec *v, size_t d)
     return fmb_u128_bits(sum);
 }
 
-/* Do minors of any generators on the facet fit into 126 bits? */
+/* Do all minors of generators on the facet fit into 126 bits? */
 static bool are_minors_small(const fmb_facets *f, const fmb_facet *a)
 {
     int most = 0;
@@ -103,7 +103,7 @@ static void find_minors(const fmb_facets *f, const fmb_facet *a, minors *m, mpz_
     }
 }
 
-/* Where they are small, they may fit into the vector as it is. */
+/* If the minors are small enough, store them in the vector as int64. */
 static bool take_short_minors(const minors *m, fmb_vec *normal)
 {
     uint32_t all = ((uint32_t)1 << m->d) - 1;
@@ -136,7 +136,7 @@ static fmb_status take_minors(const minors *m, fmb_vec *normal, fmb_mem *mem)
     return fmb_vec_settle(normal, m->d + 1, mem);
 }
 
-/* Its sign is that which makes it positive on a generator that is not on the facet. */
+/* Choose the sign that makes the normal positive on a generator not on the facet. */
 static void turn_normal_inwards(const fmb_facets *f, fmb_facet *a, fmb_num *num)
 {
     size_t i = fmb_facet_next(a, 0, false);
@@ -181,7 +181,7 @@ fmb_status fmb_facets_find_normal(const fmb_facets *f, fmb_facet *a, fmb_normal_
     return FMB_OK;
 }
 
-/* Steps: there are 2^d minors, of d terms at most, half as long in the mean as those that are left.
+/* Work: there are 2^d minors, of at most d terms, on average half as long as the final ones.
  */
 static uint64_t work_of_normal(const fmb_facets *f, const fmb_vec *normal)
 {

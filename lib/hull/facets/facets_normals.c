@@ -1,19 +1,19 @@
 /* facets_normals.c: the normals of all facets, by several threads; see facets.h.
  *
- * Slots are divided into shares that are the same for any number of threads. A normal that is wide
- * is counted in its share's memory until all are found.
+ * Slots are divided into shares that are the same for any number of threads. Wide normals are
+ * charged to the memory of their share until all are found.
  */
 #include "hull/facets/facets_private.h"
 #include "trace/team.h"
 
 enum { CHUNKS = 16 };
 
-/* With fewer facets threads wait longer than they work. */
+/* With fewer facets than this, threads wait longer than they work. */
 #define FACETS_FOR_THREADS 256
 
 typedef struct normals {
     fmb_facets *f;
-    size_t bytes[CHUNKS]; /* that the normals of a share hold */
+    size_t bytes[CHUNKS]; /* held by the normals of a share */
 } normals;
 
 static fmb_status find_normals_by(normals *w, size_t k, fmb_num *num, fmb_run *run)

@@ -1,14 +1,14 @@
-/* facets_raise.c: a generator outside of the span: the cone becomes a pyramid; see facets.h.
+/* facets_raise.c: adds a generator outside the span: the cone becomes a pyramid; see facets.h.
  *
- * Let e be the equation with e.g > 0. The old cone is the base of the pyramid, and a facet with the
- * normal e. A facet h of the old cone and g span a facet: h - (h.g / e.g) e is 0 on g and as before
- * on all others, where e is 0. The other equations get 0 on g in the same way. Facets that shared a
- * ridge share that and g; each meets the base in what it was.
+ * Let e be the equation with e.g > 0. The old cone is the base of the pyramid, a facet with the
+ * normal e. A facet h of the old cone and g span a facet: h - (h.g / e.g) e is 0 on g and unchanged
+ * on all others, where e is 0. The other equations become 0 on g in the same way. Facets that
+ * shared a ridge now share that and g; each meets the base in the old facet.
  */
 #include "hull/facets/facets_private.h"
 
-/* Wide vectors are in lowest terms already; one that was wide for its last entry alone is so no
- * more. */
+/* Wide vectors are in lowest terms already; one that was wide because of its last entry alone need
+ * not be wide any more. */
 fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v)
 {
     size_t bits = 0;
@@ -24,7 +24,7 @@ fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v)
     return bits > FMB_SMALL_BITS ? FMB_OK : fmb_vec_reduce(v, f->d + 1, &f->num);
 }
 
-/* Make v 0 on the generator, by e. */
+/* Make v 0 on the new generator by adding a multiple of e. */
 static fmb_status lift_to_generator(fmb_facets *f, fmb_vec *v, const fmb_vec *e)
 {
     fmb_status st = fmb_facets_evaluate(f, v);
@@ -52,7 +52,7 @@ static fmb_status lift_facets_and_equations(fmb_facets *f, size_t e, size_t gene
     return st;
 }
 
-/* The old cone. */
+/* Make the old cone the base of the pyramid. */
 static fmb_status open_base(fmb_facets *f, size_t e, size_t generator)
 {
     uint32_t base;

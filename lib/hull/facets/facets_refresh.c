@@ -1,17 +1,17 @@
 /* facets_refresh.c: the normal of a facet in doubles from the generators on it; see facets.h.
  *
- * Normals that are combined from others are off by more with every generation, until signs are in
- * doubt. The minors of generators, as in facets_normal.c but in doubles, begin anew.
+ * The errors of normals computed as combinations of others grow with every generation, until signs
+ * are in doubt. Computing them anew from minors of generators, as in facets_normal.c but in
+ * doubles, resets these errors.
  *
  * Theorem. Let g be a vector of which some positive multiple has entries within |g_c| 2^-50 +
  * 2^-1073 of x_c, |x_c| <= 1, and let minors of k rows be within e of m. Then a minor of k + 1 rows
- * is within sum_c (e_c + |m_c| (d + 10) 2^-51) |x_c| + LEAST of sum_c +-m_c x_c as it is computed,
- * with some room.
- * Proof. The sum of at most d products rounds each of them d times at most: that is less than
- * |m_c x_c| (d + 1) 2^-53. What x_c is off by counts for |m_c x_c| (2^-50 + 2^-99), and the minors'
- * own errors for e_c |x_c| (1 + 2^-49). What underflows, in products and in x, is less than d (d +
- * d!) 2^-1073, as no minor is larger than d!, and thus less than LEAST. Room is for what the bound
- * itself rounds, and for 2^-49.
+ * is within sum_c (e_c + |m_c| (d + 10) 2^-51) |x_c| + LEAST of the computed sum_c +-m_c x_c, with
+ * some room. Proof. The sum of at most d products rounds each of them at most d times: that is less
+ * than |m_c x_c| (d + 1) 2^-53. The errors of x_c contribute |m_c x_c| (2^-50 + 2^-99), and the
+ * minors' own errors e_c |x_c| (1 + 2^-49). Underflow, in products and in x, contributes less than
+ * d (d + d!) 2^-1073, as no minor is larger than d!, and thus less than LEAST. The room is for
+ * rounding errors of the bound itself, and for 2^-49.
  */
 #include <math.h>
 
@@ -21,7 +21,7 @@
 #define ROOM      (1 + 0x1p-40)
 #define LEAST     0x1p-900
 
-/* Minors of some rows, by set of columns, and how far they may be off. */
+/* Minors of some rows, by set of columns, with bounds on their errors. */
 typedef struct rough_minors {
     size_t d, rows;
     double m[MOST_SETS], e[MOST_SETS];
@@ -52,7 +52,7 @@ static void expand_rough_minor(rough_minors *a, uint32_t set, const double *x)
     a->e[set] = ROOM * off + LEAST;
 }
 
-/* It is a row now if it is independent of the others for sure. */
+/* Add x as a row if it is certainly independent of the others. */
 static void add_rough_row(rough_minors *a, const double *x)
 {
     bool sure = false;
@@ -64,7 +64,7 @@ static void add_rough_row(rough_minors *a, const double *x)
     a->rows += sure;
 }
 
-/* Inwards is where a generator is that is not on the facet; 0: in doubt. */
+/* The sign of the normal on a generator not on the facet, which is inwards; 0: in doubt. */
 static int find_direction(const fmb_facets *f, fmb_facet *a)
 {
     int side;
@@ -74,7 +74,7 @@ static int find_direction(const fmb_facets *f, fmb_facet *a)
     return side;
 }
 
-/* The minors become the normal up to its sign, as far as it goes. */
+/* Take the minors as the normal up to its sign, if they are accurate enough. */
 static bool take_rough_minors(const fmb_facets *f, const rough_minors *by, fmb_facet *a)
 {
     uint32_t all = ((uint32_t)1 << f->d) - 1;

@@ -1,12 +1,12 @@
-/* facets_ridges.c: who shares a ridge after a generator g was taken in; see facets.h.
+/* facets_ridges.c: which facets share a ridge after a generator g was added; see facets.h.
  *
- * All new ridges contain g, so they lie between facets that are new or have grown, the candidates.
- * Two of these share a ridge if and only if no third facet holds all that both hold; such a third
- * one would hold g as well. Two that have grown may share a ridge that they did not share before.
+ * All new ridges contain g, so they lie between new or touched facets, the candidates. Two of these
+ * share a ridge if and only if no third facet contains all their common generators; it would
+ * contain g as well. Two touched facets may share a ridge that they did not share before.
  *
- * Where there are others than simplices, most pairs have too little in common. For each generator
- * the set of candidates that hold it is listed; adding those of all that a facet holds counts what
- * it has in common with 64 others at a time, and their intersection finds a third facet.
+ * If not all are simplices, most pairs have too few common generators. For each generator the set
+ * of candidates that contain it is listed; adding these sets over a facet's generators counts those
+ * in common with 64 others at a time, and intersecting them finds a third facet.
  */
 #include <string.h>
 
@@ -21,7 +21,7 @@ static bool are_neighbours(const fmb_facet *a, uint32_t b)
     return false;
 }
 
-/* f->common = what both hold; how much that is. */
+/* f->common = the generators on both; returns their number. */
 static size_t find_common(fmb_facets *f, const fmb_facet *a, const fmb_facet *b)
 {
     size_t count = 0;
@@ -32,7 +32,7 @@ static size_t find_common(fmb_facets *f, const fmb_facet *a, const fmb_facet *b)
     return count;
 }
 
-/* Facet number i of those that are new or have grown. */
+/* Candidate number i: new facets, then touched ones. */
 static uint32_t candidate(const fmb_facets *f, size_t i)
 {
     return i < f->mades ? f->made[i] : f->touched[i - f->mades];
@@ -43,14 +43,14 @@ static size_t count_candidates(const fmb_facets *f)
     return f->mades + f->toucheds;
 }
 
-/* rank - 1 generators on a facet are independent, any rank - 2 of them span a ridge, and no other
- * facet holds them all. */
+/* Has the facet just rank - 1 generators? They are independent, any rank - 2 of them span a ridge,
+ * and no other facet contains them all. */
 static bool is_simplex(const fmb_facets *f, const fmb_facet *a)
 {
     return a->ons + 1 == f->rank;
 }
 
-/* Two simplices tell by a count whether they share a ridge, and so does one with any other. */
+/* Counts decide whether two simplices share a ridge, and a simplex and any other facet. */
 static bool are_counts_enough(const fmb_facets *f)
 {
     size_t others = 0;
@@ -59,7 +59,7 @@ static bool are_counts_enough(const fmb_facets *f)
     return others < 2;
 }
 
-/* So much two candidates hold that share a ridge; the generator at hand, at least. */
+/* The least number of common generators of two candidates that share a ridge; at least 1. */
 static size_t least_in_common(const fmb_facets *f)
 {
     return f->rank > 3 ? f->rank - 2 : 1;
@@ -80,8 +80,8 @@ static fmb_status list_holders(fmb_facets *f)
     return FMB_OK;
 }
 
-/* The set of candidates that hold enough of what a holds. Level k - 1 is those that were seen to
- * hold k of it: 64 candidates at a time are counted. */
+/* The set of candidates with enough generators in common with a. Level k - 1 is the set of those
+ * with k common generators so far: 64 candidates at a time are counted. */
 static const uint64_t *find_near_candidates(fmb_facets *f, const fmb_facet *a)
 {
     size_t words = f->holder_words, levels = least_in_common(f);
@@ -99,7 +99,7 @@ static const uint64_t *find_near_candidates(fmb_facets *f, const fmb_facet *a)
     return &level[(levels - 1) * words];
 }
 
-/* Word w of the set of candidates that hold all that is common. */
+/* Word w of the set of candidates that contain all common generators. */
 static uint64_t holders_of_common(const fmb_facets *f, size_t w)
 {
     uint64_t holders = UINT64_MAX;
@@ -111,7 +111,7 @@ static uint64_t holders_of_common(const fmb_facets *f, size_t w)
     return holders;
 }
 
-/* Candidates i and j: is one more holding all that is common? */
+/* For candidates i and j: does a third one contain all their common generators? */
 static bool is_common_to_a_third(const fmb_facets *f, size_t i, size_t j)
 {
     for (size_t w = 0; w < f->holder_words; w++) {
@@ -135,7 +135,7 @@ static bool share_a_ridge(fmb_facets *f, size_t i, size_t j)
     return count + 2 >= f->rank && !is_common_to_a_third(f, i, j);
 }
 
-/* A simplex all of whose ridges are found. */
+/* Is the facet a simplex all of whose ridges are found? */
 static bool has_all_neighbours(const fmb_facets *f, uint32_t a)
 {
     const fmb_facet *t = &f->facet[a];
@@ -151,7 +151,7 @@ static fmb_status join_if_neighbours(fmb_facets *f, size_t i, size_t j)
     return !old && share_a_ridge(f, i, j) ? fmb_facets_join(f, a, b) : FMB_OK;
 }
 
-/* Candidate i and those before it. */
+/* Join candidate i with earlier ones that share a ridge with it. */
 static fmb_status join_each(fmb_facets *f, size_t i)
 {
     for (size_t j = 0; j < i && !has_all_neighbours(f, candidate(f, i)); j++)
@@ -159,7 +159,7 @@ static fmb_status join_each(fmb_facets *f, size_t i)
     return FMB_OK;
 }
 
-/* The same where holders are listed. */
+/* The same if holders are listed. */
 static fmb_status join_near(fmb_facets *f, size_t i)
 {
     fmb_status st = FMB_OK;
@@ -172,7 +172,7 @@ static fmb_status join_near(fmb_facets *f, size_t i)
     return st;
 }
 
-/* Steps of candidate i where holders are listed. */
+/* Work for candidate i if holders are listed. */
 static size_t work_of_near(const fmb_facets *f, size_t i)
 {
     return 150 + 2 * i + f->facet[candidate(f, i)].ons * least_in_common(f) * f->holder_words;

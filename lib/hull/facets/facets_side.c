@@ -1,5 +1,5 @@
-/* facets_side.c: on which side of a facet a generator lies: in doubles, as it is known and then
- * from what is on it, and exactly where these are in doubt; see facets.h.
+/* facets_side.c: the side of a facet on which a generator lies: in doubles with the present normal,
+ * then with one refreshed from its generators, and exactly if these are in doubt; see facets.h.
  */
 #include "hull/facets/facets_private.h"
 

@@ -1,4 +1,4 @@
-/* facets_slots.c: life of facets: their slots, their sets, their neighbours; see facets.h. */
+/* facets_slots.c: management of facets: their slots, sets and neighbours; see facets.h. */
 #include "hull/facets/facets_private.h"
 
 #include <string.h>
@@ -28,7 +28,7 @@ fmb_status fmb_facets_widen_sets(fmb_facets *f)
     return st;
 }
 
-/* A slot that never was used. */
+/* Make a new slot. */
 static fmb_status make_slot(fmb_facets *f, uint32_t *out)
 {
     fmb_mem *mem = f->num.mem;

@@ -60,7 +60,7 @@ static int compare_rays_lexicographically(const void *x, const void *y)
     return fmb_vec_compare(&a->v, &b->v, a->n);
 }
 
-/* Sort, and make one of equal ones. */
+/* Sort the rays and merge equal ones. */
 static fmb_status sort_rays_of_image(fmb_image *m)
 {
     fmb_mem *mem = m->run->mem;
@@ -87,7 +87,7 @@ static fmb_status sort_rays_of_image(fmb_image *m)
     return st;
 }
 
-/* A ray that is 0 in the image is above each of its points. */
+/* Add a ray to the image; one that is 0 there is above each of its points. */
 static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_t *support)
 {
     if (is_zero_vector(v, m->n)) {
@@ -113,7 +113,7 @@ static fmb_status add_line_to_image(fmb_image *m, const fmb_vec *v)
                                    : fmb_image_copy_coordinates(m, &m->line[m->lines++], v);
 }
 
-/* Room for so many rays and lines; rays may become lines. */
+/* Memory for so many rays and lines; rays may become lines. */
 static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words, size_t rays,
                              size_t lines, bool wide_only)
 {

@@ -1,12 +1,12 @@
 /* image_corners.c: which rays of an image are extreme; see image.h.
  *
- * Forms are b t - a.x of each inequality, and t. If cone G is the cone P on which no form is
+ * The forms are b t - a.x of each inequality, and t. If cone G is the cone P on which no form is
  * negative, then g of G is on an extreme ray of P, up to the lines of P, if and only if all vectors
- * of G that are 0 on all forms that are 0 at g are lines, or multiples of g up to lines. For those
- * y of P where these forms are 0 are the least face with g, which is spanned by what G has of it.
- * Such multiples are 0 on the same forms; one of them is enough. Lines are 0 on all forms. So
- * corners are told by sets. If G spans less than P, or where there are lines, too many may be taken
- * for corners; who asks finds that out.
+ * of G that are 0 on all forms that are 0 at g are lines, or multiples of g up to lines. For the
+ * points of P where these forms are 0 are the least face with g, spanned by the vectors of G on it.
+ * Such multiples are 0 on the same forms; one of them suffices. Lines are 0 on all forms. So
+ * incidences decide which vectors are corners. If G spans less than P, or if there are lines, too
+ * many may be taken for corners; the caller finds that out.
  */
 #include <string.h>
 
@@ -18,7 +18,7 @@ typedef struct corner_search {
     const uint64_t **zero; /* [forms] rays where the form is 0 */
     uint64_t *face;        /* [words] scratch */
     size_t *zeros;         /* [rays] forms that are 0 there */
-    bool *stays;           /* [rays] it is a corner */
+    bool *stays;           /* [rays] is it a corner? */
 } corner_search;
 
 static fmb_status list_forms(corner_search *c)
@@ -55,7 +55,7 @@ static void find_least_face(corner_search *c, size_t g)
             c->face[k] &= c->zero[i][k];
 }
 
-/* Is g all that there is of its face, up to lines, or the first of those that are? */
+/* Is g, up to lines, the only vector of its face, or the first of those with as many zeros? */
 static bool is_corner(const corner_search *c, size_t g)
 {
     bool only = c->zeros[g] < c->forms;

@@ -1,8 +1,8 @@
 /* image_facets.c: the rows of an image; see image.h.
  *
- * They are the facets of the cone that its rays and lines span. In few coordinates many rays come
- * one after another to the facets so far (facets.h), those farthest beyond one of them first. Else
- * they are the rays of the dual cone, whose rows are the rays of the image in lexicographic order.
+ * They are the facets of the cone of its rays and lines. In few coordinates many rays are added one
+ * after another to the facets so far (facets.h), the farthest ones first. Else the facets are the
+ * rays of the dual cone, whose rows are the rays of the image in lexicographic order.
  */
 #include <string.h>
 
@@ -11,11 +11,11 @@
 
 /* With more coordinates, rays often are on very many facets. */
 #define FEW_COORDINATES 7
-/* Facets with so many bits, as Hadamard's inequality has it, mostly do not fit into 62 (measured).
+/* Facets with so many bits by Hadamard's inequality mostly do not fit into 62 bits (measured).
  */
 #define LONG_BITS 72
-/* With fewer rays for each coordinate than this, facets are cheaper as rays of the dual cone: at
- * most three times if numbers are short, which doubles gain nothing by (measured). */
+/* With fewer rays per coordinate than this, facets are cheaper as rays of the dual cone: up to
+ * three times if numbers are short, which gain nothing from doubles (measured). */
 #define MANY_RAYS      12
 #define MANY_LONG_RAYS 5
 
@@ -27,7 +27,7 @@ static void add_to_slack(fmb_image *m, uint64_t *to, const uint64_t *from)
         to[k] |= from[k];
 }
 
-/* Unite the supports above the facet, which is still y.(x, t) >= 0. */
+/* Unite the supports above the facet, which still has the form y.(x, t) >= 0. */
 static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
 {
     size_t words = fmb_set_words(m->rays);
@@ -58,7 +58,7 @@ fmb_status fmb_image_add_facet(fmb_image *m, const fmb_vec *y, bool equality, bo
 
 /* ---- ray by ray ------------------------------------------------------------------------------ */
 
-/* A line is a ray both ways. */
+/* Add each line as two opposite rays. */
 static fmb_status add_lines_to_facets(const fmb_image *m, fmb_facets *f)
 {
     bool grown;
@@ -78,7 +78,7 @@ static fmb_status add_lines_to_facets(const fmb_image *m, fmb_facets *f)
     return st;
 }
 
-/* Or is it the face at infinity? Whatever spans it is among the generators that are known on it. */
+/* Is a point on the facet, or is it the face at infinity? Its generators span it. */
 static bool holds_facet_a_point(const fmb_facets *f, const fmb_facet *a)
 {
     for (size_t i = 0; i < f->generators; i++)
@@ -98,7 +98,7 @@ static fmb_status take_facets(fmb_image *m, fmb_facets *f, bool slacks)
     return FMB_OK;
 }
 
-/* The facets of what rays and lines span. In any case fmb_facets_clear it. */
+/* The facets of the cone of rays and lines. Call fmb_facets_clear even after an error. */
 static fmb_status add_vectors_to_facets(const fmb_image *m, fmb_facets *f)
 {
     FMB_TRY(fmb_facets_init(f, m->run, m->n));
@@ -140,7 +140,7 @@ static fmb_status find_facets_ray_by_ray(fmb_image *m, bool slacks)
     return st;
 }
 
-/* v[], line[] have room for all facets and equations. */
+/* v[] and line[] have memory for all facets and equations. */
 static fmb_status list_facets(fmb_facets *f, fmb_vec *v, bool *line, size_t *size)
 {
     fmb_status st = fmb_facets_need_all_normals(f);
@@ -178,7 +178,7 @@ fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of)
 
 /* ---- all at once ----------------------------------------------------------------------------- */
 
-/* The same of a ray of the dual: rows left out of supports are implied by others. */
+/* The same for a ray of the dual cone: rows left out of supports are implied by others. */
 static bool holds_dual_ray_a_point(const fmb_image *m, const fmb_cone *dual, size_t i)
 {
     for (size_t b = 0; b < dual->bits; b++)
@@ -188,7 +188,7 @@ static bool holds_dual_ray_a_point(const fmb_image *m, const fmb_cone *dual, siz
     return false;
 }
 
-/* The same of a ray that comes without its zeros. */
+/* The same for a ray without known zeros. */
 static bool holds_row_a_point(fmb_image *m, const fmb_vec *y)
 {
     for (size_t i = 0; i < m->rays; i++)

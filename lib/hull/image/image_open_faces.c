@@ -1,20 +1,20 @@
 /* image_open_faces.c: faces of an image that strict rows exclude; see image.h.
  *
- * A point of the image is in the projection if something above it satisfies every strict row; as
- * these are convex, if each strict row is positive somewhere above it; and as a relative interior
- * point of a face has points above it that are inside all that is above the face, if each strict
- * row is positive on some ray above the face. So a face is excluded by row s exactly if none of the
- * rays on it is in N, those with s in their support. Faces are intersections of facets: of a ray
- * of N that is still on the face, one of the facets that leave it out has to be taken, in all
- * possible ways. Faces of strict facets are excluded anyway, those of directions alone hold no
- * points; of the others, the largest are what has to be said.
+ * A point of the image is in the projection if some point above it satisfies every strict row; as
+ * the rows are convex, if each strict row is positive at some point above it; and as a relative
+ * interior point of a face has points above it that are interior to the preimage of the face, if
+ * each strict row is positive on some ray above the face. So a face is excluded by row s exactly if
+ * none of the rays on it is in N, the rays with s in their support. Faces are intersections of
+ * facets: for a ray of N that is still on the face, one of the facets without it has to be added,
+ * in all possible ways. Faces of strict facets are excluded anyway, and those of directions alone
+ * contain no points; of the others, the maximal ones need rows.
  */
 #include <string.h>
 
 #include "hull/image/image.h"
 #include "num/bitset.h"
 
-/* Faces looked at before it is given up. */
+/* Most faces visited before the search is given up. */
 #define MOST_STEPS 20000
 
 /* A face, as the set of rays on it. */
@@ -30,7 +30,7 @@ typedef struct open_search {
     size_t facets;     /* before rows are added */
     uint64_t **on;     /* [facets] rays on each */
     uint64_t *points;  /* rays with t > 0 */
-    uint64_t *outside; /* rays where the strict row at hand is positive */
+    uint64_t *outside; /* rays where the current strict row is positive */
     uint64_t *stack;   /* [facets + 1] sets of rays */
     size_t *taken;     /* [facets] */
     size_t steps;
@@ -76,7 +76,7 @@ static fmb_status start_search(open_search *o)
 
 /* ---- the search ------------------------------------------------------------------------------ */
 
-/* A face that is part of none found before; those that are part of it go. */
+/* Note a face unless it is part of one found before; remove those that are part of it. */
 static fmb_status note_open_face(open_search *o, const uint64_t *on, size_t depth)
 {
     fmb_mem *mem = o->m->run->mem;
@@ -109,7 +109,7 @@ static bool is_in_strict_facet(const open_search *o, const uint64_t *on)
     return false;
 }
 
-/* A ray of the face that has to leave it. */
+/* A ray of N that is still on the face. */
 static size_t find_ray_outside(const open_search *o, const uint64_t *on)
 {
     for (size_t k = 0; k < o->words; k++)

@@ -12,7 +12,7 @@ static size_t find_last_entry(const fmb_vec *v, size_t d)
     return d;
 }
 
-/* Row i joins the base if it is independent of it. */
+/* Add row i to the base if it is independent of it. */
 static fmb_status try_row_for_base(fmb_section *c, size_t i)
 {
     fmb_vec *v = &c->base[c->rank];
@@ -65,7 +65,7 @@ static void write_row_of_section(const fmb_section *c, const fmb_vec *g, mpz_t *
     }
 }
 
-/* A row without coefficients says nothing, or that there is no point. */
+/* A row without coefficients is trivial, or shows that there is no point. */
 static fmb_status add_row_of_section(fmb_section *c, size_t i, mpz_t *z, mpz_t gcd)
 {
     size_t n = c->rank - 1;

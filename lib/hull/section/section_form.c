@@ -1,24 +1,24 @@
 /* section_form.c: the form w that is 1 on a section; see section.h.
  *
- * Numbers of the section are those of the rows times those of w. So w is looked for among short
- * vectors near the mean of all rows, scaled to the same length: those with entries up to 1, 8, ...
- * Let b be the sum of as many independent rows as there are columns: b.x > 0 on the cone but for 0.
- * If N w.x >= b.x on the cone, for some N > 0, which a linear program tells, exactly, w serves, and
- * the section is a polytope; one that goes on for ever has larger hulls on the way. Else b does.
+ * Numbers of the section are products of those of the rows and of w. So w is looked for among short
+ * vectors near the mean of all rows, scaled to equal length: those with entries up to 1, 8, ... Let
+ * b be the sum of as many independent rows as there are columns: b.x > 0 on the cone except at 0.
+ * If N w.x >= b.x on the cone for some N > 0, as a linear program decides exactly, w is used, and
+ * the section is a polytope; an unbounded one has larger intermediate hulls. Else b is used.
  */
 #include <math.h>
 
 #include "hull/facets/facets_private.h"
 #include "hull/section/section.h"
 
-/* Entries of forms that are tried. */
+/* Largest entries of the forms tried. */
 static const double LARGEST[] = {1, 8, 64, 1024};
-/* N, if no entry of b were beyond 1. */
+/* N for a b without entries beyond 1. */
 #define CLOSENESS 1024
 
 /* ---- short forms ----------------------------------------------------------------------------- */
 
-/* mean[rank], in pivots: the largest entry is 1. All 0: there is no such mean in doubles. */
+/* mean[rank], at the pivots, with largest entry 1. All 0: there is no such mean in doubles. */
 static void find_mean_direction(const fmb_section *c, double *mean, double *row)
 {
     double most = 0;
@@ -44,7 +44,7 @@ static void round_mean(fmb_section *c, const double *mean, double largest)
         mpz_set_d(c->w.z[c->pivot[k]], rint(largest * mean[k]));
 }
 
-/* The cone in its pivots, as a program. */
+/* Write the cone in the pivot columns as a program. */
 static fmb_status write_cone(const fmb_section *c, fmb_program *p)
 {
     fmb_status st = FMB_OK;
@@ -63,7 +63,7 @@ static fmb_status write_cone(const fmb_section *c, fmb_program *p)
     return st;
 }
 
-/* q = that entry of N w - b. */
+/* q = entry k of N w - b. */
 static void write_entry_of_difference(fmb_section *c, size_t k, const fmb_integers *b, mpq_t q)
 {
     mpz_set(c->num.t, b->z[0]);
@@ -117,7 +117,7 @@ static fmb_status try_short_forms(fmb_section *c, const double *mean, const fmb_
 
 /* ---- the form -------------------------------------------------------------------------------- */
 
-/* Its largest entry, then the sum of the independent rows in their pivots. */
+/* b = its largest entry, then the sum of the independent rows at the pivots. */
 static fmb_status add_base_up(fmb_section *c, fmb_integers *b)
 {
     for (size_t k = 0; k < c->rank; k++) {

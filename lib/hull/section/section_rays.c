@@ -1,7 +1,7 @@
-/* section_rays.c: what was found of a section, as rays and lines of the cone; see section.h.
+/* section_rays.c: the result for a section as rays and lines of the cone; see section.h.
  *
- * A query may have seen a point that is no vertex. Rows that are 0 on a ray leave the lines of the
- * cone, and one dimension more, if and only if it is extreme.
+ * A query may have found a point that is no vertex. A ray is extreme if and only if the rows that
+ * are 0 on it have as their common zeros the lines of the cone and one dimension more.
  */
 #include "hull/section/section.h"
 
@@ -25,7 +25,7 @@ static void write_ray_above_point(fmb_section *c, const fmb_vec *v, mpz_t *z)
         mpz_neg(z[c->gone], z[c->gone]);
 }
 
-/* A list of rays and lines in the making. */
+/* A list of rays and lines being built. */
 typedef struct ray_list {
     fmb_vec *v; /* [size] */
     bool *line;
@@ -43,7 +43,7 @@ static fmb_status put_ray_into_list(fmb_section *c, const fmb_vec *point, mpz_t 
     return fmb_vec_set_z(v, c->d, z, c->run->mem);
 }
 
-/* Of the line of a cone of rank 1, the section is the point 1. */
+/* If the cone has rank 1, its section is the point 1. */
 static fmb_status put_all_rays_into_list(fmb_section *c, mpz_t *z, ray_list *to)
 {
     const fmb_facets *f = &c->support.hull;
@@ -57,7 +57,7 @@ static fmb_status put_all_rays_into_list(fmb_section *c, mpz_t *z, ray_list *to)
     return FMB_OK;
 }
 
-/* What n rows leave where all of them are 0. */
+/* Find the lines on which all of n rows are 0. */
 static fmb_status find_lines_of_rows(const fmb_section *c, fmb_cone *lines, fmb_cone_row *row,
                                      size_t n)
 {
@@ -67,7 +67,7 @@ static fmb_status find_lines_of_rows(const fmb_section *c, fmb_cone *lines, fmb_
     return fmb_cone_run(lines, 0, &done);
 }
 
-/* Lines are 0 in the independent rows. */
+/* Find the lines of the cone: they are 0 in the independent rows. */
 static fmb_status find_lines_of_cone(const fmb_section *c, fmb_cone *lines, fmb_cone_row *row)
 {
     for (size_t i = 0; i < c->rank; i++)
@@ -77,7 +77,7 @@ static fmb_status find_lines_of_cone(const fmb_section *c, fmb_cone *lines, fmb_
 
 /* ---- extreme rays ---------------------------------------------------------------------------- */
 
-/* All rows are asked, whatever has ended the queries. row[m] is scratch. */
+/* All rows are tested, whatever ended the queries. row[m] is scratch. */
 static fmb_status is_ray_extreme(const fmb_section *c, fmb_image *image, const fmb_vec *ray,
                                  fmb_cone_row *row, bool *extreme)
 {
@@ -97,7 +97,7 @@ static fmb_status is_ray_extreme(const fmb_section *c, fmb_image *image, const f
     return st;
 }
 
-/* Those that are not go. */
+/* Remove rays that are not extreme. */
 static fmb_status keep_extreme_rays(const fmb_section *c, fmb_image *image, fmb_cone_row *row)
 {
     size_t kept = 0, i = 0;

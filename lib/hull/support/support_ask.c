@@ -1,4 +1,4 @@
-/* support_ask.c: life, and one question after another; see support.h. */
+/* support_ask.c: creation, and one query after another; see support.h. */
 #include "base/ways.h"
 #include "hull/support/support_private.h"
 
@@ -33,7 +33,7 @@ void fmb_support_clear(fmb_support *s)
 
 /* ---- points and equations -------------------------------------------------------------------- */
 
-/* Some vertex of the program. */
+/* Find some vertex of the program. */
 static fmb_status find_first_point(fmb_support *s)
 {
     const fmb_weights nowhere = {0};
@@ -45,7 +45,7 @@ static fmb_status find_first_point(fmb_support *s)
     return st == FMB_OK ? fmb_support_take(s, &s->worker, &s->worker.seen, 0) : st;
 }
 
-/* An equation that all generators satisfy: on either side, does the projection go further? */
+/* Does the projection extend beyond an equation of all generators, on either side? */
 static fmb_status ask_about_equation(fmb_support *s)
 {
     fmb_support_row row = {.rel = FMB_EQ};
@@ -64,7 +64,7 @@ static fmb_status ask_about_equation(fmb_support *s)
 
 /* ---- facets ---------------------------------------------------------------------------------- */
 
-/* The worker saw a point beyond a facet, which goes; how far does the projection go there? */
+/* Add the point found beyond a facet, which is removed, and maximize in that direction. */
 static fmb_status take_and_look_along(fmb_support *s, size_t at)
 {
     fmb_mem *mem = s->run->mem;
@@ -81,7 +81,7 @@ static fmb_status take_and_look_along(fmb_support *s, size_t at)
     return st;
 }
 
-/* About a facet that is open. */
+/* Make a query for an open facet. */
 static fmb_status ask_about_facet(fmb_support *s, size_t at)
 {
     fmb_support_row row = {0};

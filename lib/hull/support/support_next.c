@@ -6,14 +6,14 @@ static bool is_open(const fmb_facet *a)
     return a->alive && a->note == FMB_FACET_OPEN;
 }
 
-/* How far back is slot i, going round from the one asked about last? */
+/* The distance of slot i going backwards cyclically from the last facet queried. */
 static size_t slots_back(const fmb_support *s, size_t i)
 {
     size_t slots = s->hull.slots;
     return (s->at % slots + slots - 1 - i) % slots;
 }
 
-/* The first open one going back, of those on that generator. */
+/* The first open facet going backwards, among those on that generator. */
 static size_t find_open_facet_nearby(const fmb_support *s, const fmb_support_near *near)
 {
     const fmb_facets *f = &s->hull;

@@ -1,13 +1,13 @@
-/* support_outer.c: rows that the projection satisfies, and may touch, though they are no facets of
- * it; see support.h.
+/* support_outer.c: rows that hold on the projection, and may touch it, but are no facets; see
+ * support.h.
  *
- * How far does it go in a direction? That is asked like a facet, from the point that was seen last:
- * either its row stands, or a point beyond is seen, which mostly is the farthest already.
+ * To maximize in a direction is a query like that of a facet, starting from the last point found:
+ * either its row is proved, or a point beyond is found, which mostly is optimal already.
  */
 #include "hull/support/support_private.h"
 
-/* h with another first entry, so that it is 0 where the point of s->g is: v[k + 1]; z[k + 1] is
- * scratch, 0 between calls. */
+/* v[k + 1] = h with the first entry that makes it 0 at the point of s->g; z[k + 1] is scratch, 0
+ * between calls. */
 static fmb_status move_to_point(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb_vec *v)
 {
     mpz_t content;
@@ -36,7 +36,7 @@ static fmb_status keep_outer_row(fmb_support *s, fmb_support_row *row)
     return st;
 }
 
-/* Until its row stands, or a ray is seen, so that there is none. */
+/* Query until the row is proved, or a ray is found, so that there is none. */
 static fmb_status find_outer_row(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb_vec *v)
 {
     fmb_support_row row = {.rel = FMB_LE};

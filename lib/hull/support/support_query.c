@@ -1,7 +1,7 @@
 /* support_query.c: one query; see support.h.
  *
- * First a guess in doubles, made a vertex exactly: mostly it is beyond the facet already, and how
- * far the optimum is does not matter. Only where it is not the optimum is wanted, and its proof.
+ * First the oracle guesses in doubles and makes the guess an exact vertex: mostly it is beyond the
+ * facet already, and need not be optimal. Otherwise the optimum is computed, with its proof.
  */
 #include "base/ways.h"
 #include "hull/support/support_private.h"
@@ -23,7 +23,7 @@ static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen
     return fmb_integers_settle(x, mem);
 }
 
-/* The hull's last generator is what was seen; the facets near it are those that it made or touched.
+/* Note the last generator of the hull, and the facets that it made or touched.
  */
 static fmb_status note_near(fmb_support *s, fmb_support_near *near)
 {
@@ -80,7 +80,7 @@ void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s)
     mpz_clear(c->t);
 }
 
-/* The form that a query makes large: - sign (h1 x1 + ...). */
+/* The form that a query maximizes: - sign (h1 x1 + ...). */
 static fmb_status write_cost(const fmb_support *s, const fmb_vec *h, int sign, fmb_weights *cost,
                              fmb_mem *mem)
 {
@@ -98,7 +98,7 @@ static fmb_status write_cost(const fmb_support *s, const fmb_vec *h, int sign, f
     return st;
 }
 
-/* Is the point at which the oracle stands beyond h? */
+/* Is the oracle's current point beyond h? */
 static bool is_point_beyond(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h, int sign)
 {
     fmb_oracle_point_integers(c->oracle, c->seen.x.z, c->seen.den);
@@ -111,7 +111,7 @@ static bool is_point_beyond(fmb_support_worker *c, const fmb_support *s, const f
     return mpz_sgn(c->seen.den) * sign < 0;
 }
 
-/* It is the optimum, and not beyond h. */
+/* The point is the optimum, and not beyond h: write the proved row. */
 static fmb_status prove_row(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h, int sign,
                             fmb_support_row *row)
 {
@@ -166,7 +166,7 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
 
 /* ---- facets ---------------------------------------------------------------------------------- */
 
-/* Is it x0 >= 0, the face at infinity? */
+/* Is the facet x0 >= 0, the face at infinity? */
 static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
 {
     for (size_t j = 1; j <= s->k; j++)

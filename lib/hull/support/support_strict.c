@@ -1,9 +1,9 @@
-/* support_strict.c: which faces a projection lacks, where rows are strict; see support.h.
+/* support_strict.c: which faces a projection with strict rows lacks; see support.h.
  *
- * The missing points are a union of faces (docs/theory.md, theorem 25): so it is enough to ask
- * about faces all of whose generators are missing, by the sum h of the normals of the facets around
- * each. It is missing if and only if the optimum of h is not attained: then h < optimum is a row.
- * Faces of facets that are missing need no row of their own, nor do those of other missing faces.
+ * The missing points are a union of faces (docs/theory.md, theorem 25): so it suffices to query
+ * faces all of whose generators are missing, by the sum h of the normals of the facets around each.
+ * A face is missing if and only if the optimum of h is not attained: then h < optimum is a row.
+ * Faces of missing facets, or of other missing faces, need no row of their own.
  */
 #include <string.h>
 
@@ -14,11 +14,11 @@
 typedef struct lattice {
     fmb_support *s;
     fmb_facets *f;
-    uint64_t *missing; /* [words] generators: points that are */
+    uint64_t *missing; /* [words] generators: missing points */
     uint64_t *points;  /* [words] generators that are points */
-    uint64_t *face;    /* [faces][words] those met so far, as sets of generators */
+    uint64_t *face;    /* [faces][words] faces met so far, as sets of generators */
     size_t faces, capacity, words;
-    uint64_t *gone; /* [gones][words] those of them that are missing, and rows now */
+    uint64_t *gone; /* [gones][words] missing faces, which have rows now */
     size_t gones, gone_capacity;
     fmb_integers sum; /* [d] scratch */
     fmb_vec h;        /* the same */
@@ -29,7 +29,7 @@ static bool is_facet_alive(const lattice *l, size_t a, int note)
     return l->f->facet[a].alive && l->f->facet[a].note == note;
 }
 
-/* Does a facet or face that is missing, and a row already, hold all of it? */
+/* Is the set part of a missing facet or face, which has a row already? */
 static bool is_on_missing_face(const lattice *l, const uint64_t *set)
 {
     for (size_t i = 0; i < l->gones; i++)
@@ -65,7 +65,7 @@ static fmb_status add_normals_around(lattice *l, const uint64_t *set)
     return fmb_vec_reduce(&l->h, l->f->d, &l->f->num);
 }
 
-/* Is the face around that set missing? The row that says so. */
+/* Is the face of that set missing? If so, write its row. */
 static fmb_status ask_about_face(lattice *l, const uint64_t *set, fmb_support_row *row,
                                  bool *missing)
 {
@@ -112,13 +112,13 @@ static bool was_face_met(const lattice *l, const uint64_t *set)
     return false;
 }
 
-/* Room for one set more, at the end of a list. */
+/* Memory for one more set at the end of a list. */
 static fmb_status reserve_set(lattice *l, uint64_t **list, size_t size, size_t *capacity)
 {
     return FMB_RESERVE(l->s->run->mem, list, capacity, (size + 1) * l->words);
 }
 
-/* Where face i meets facets: faces that may be missing, and are not for a reason that is known. */
+/* List the intersections of face i with facets that may be missing and have no row yet. */
 static fmb_status list_faces_of_face(lattice *l, size_t i)
 {
     for (size_t a = 0; a < l->f->slots; a++) {
@@ -144,7 +144,7 @@ static bool are_all_points_missing(const lattice *l, const uint64_t *set)
     return true;
 }
 
-/* The largest face of those from number i on comes to place i. */
+/* Move the largest face from number i on to place i. */
 static void bring_largest_forward(lattice *l, size_t i)
 {
     size_t best = i, most = 0;
@@ -187,8 +187,8 @@ static fmb_status look_at_face(lattice *l, size_t i)
     return missing ? keep_missing_face(l, i, &row) : list_faces_of_face(l, i);
 }
 
-/* From all of the hull downwards, the largest face first: so a face is met after all those that it
- * is a face of, and what is missing is a row unless a larger face is. */
+/* Go from the whole hull downwards, the largest face first: so a face comes after all faces that
+ * contain it, and a missing one gets a row unless a larger face has one. */
 static fmb_status walk_down_the_lattice(lattice *l)
 {
     memset(l->face, 0xff, l->words * sizeof *l->face);

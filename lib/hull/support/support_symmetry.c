@@ -1,10 +1,9 @@
 /* support_symmetry.c: support queries, one of each orbit; see support.h.
  *
- * A symmetry of the program that keeps the kept columns takes the projection to itself: points to
- * points, rows to rows, and what proves a row to what proves its image (symmetry/group.h). So all
- * images of a point that was found are taken in, and a facet whose row is the image of one that is
- * proved stands without a query. Images are proved like any other row: who checks them need not
- * know of symmetries.
+ * A symmetry of the program that keeps the kept columns maps the projection to itself: points to
+ * points, rows to rows, and the proof of a row to one of its image (symmetry/group.h). So all
+ * images of a point found are added, and a facet whose row is the image of a proved one stands
+ * without a query. Images are proved like any other row: a checker need not know of symmetries.
  */
 #include "hull/support/support_private.h"
 #include "symmetry/orbits.h"
@@ -16,7 +15,7 @@ struct fmb_symmetry {
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
-/* The images of a vector of the hull. */
+/* Add the images of a vector of the hull. */
 static fmb_status take_images_of_point(fmb_support *s, const fmb_vec *v)
 {
     fmb_orbits *o = &s->symmetry->points;
@@ -48,12 +47,12 @@ fmb_status fmb_support_note_images(fmb_support *s, const fmb_vec *normal)
         return FMB_OK;
     fmb_orbits *o = &s->symmetry->rows;
     fmb_status st = fmb_orbits_add(o, normal, s->rows - 1);
-    if (st == FMB_OK) /* an image of another one may have been asked about beside it */
+    if (st == FMB_OK) /* an image of another row may have been queried in parallel */
         o->item[fmb_orbits_find(o, normal)].tag = s->rows - 1;
     return st;
 }
 
-/* The row of an item, from another one of its orbit; it is kept. */
+/* Write the row of an item from another one of its orbit, and keep it. */
 static fmb_status keep_moved_row(fmb_support *s, size_t item)
 {
     fmb_orbits *o = &s->symmetry->rows;
