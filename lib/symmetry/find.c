@@ -1,12 +1,12 @@
-/* find.c: the symmetries of a program as those of a graph; see group.h.
+/* find.c: the symmetries of a program as automorphisms of a graph; see group.h.
  *
- * The graph has a vertex for each column, row and coefficient that is not 0; a coefficient has an
- * edge to its row and one to its column. Columns are coloured by whether they are kept, rows by
- * relation and right side, coefficients by value. So automorphisms of the graph are symmetries of
- * the program, and each is checked as such all the same.
+ * The graph has a vertex for each column, row and nonzero coefficient; a coefficient has an edge to
+ * its row and one to its column. Columns are coloured by whether they are kept, rows by relation
+ * and right side, coefficients by value. So automorphisms of the graph are symmetries of the
+ * program; nevertheless each is checked.
  *
- * Nauty allocates by malloc, and ends the program where that fails, as GMP does: what it may need
- * is charged before.
+ * Nauty allocates by malloc, and ends the program if that fails, as GMP does: the memory that it
+ * may need is charged before.
  */
 #include "symmetry/group.h"
 
@@ -29,12 +29,12 @@ fmb_status fmb_symmetry_find(fmb_run *run, const fmb_program *p, const bool *kee
 
 #include "base/arrays.h"
 
-/* Graphs of so many vertices take milliseconds. */
+/* Most vertices of a graph: these take milliseconds. */
 #define MOST_VERTICES    8192
-/* What nauty keeps for each [bytes]. */
+/* Memory of nauty for each vertex [bytes]. */
 #define BYTES_PER_VERTEX 1024
 
-/* A vertex and its colour, which is two numbers. */
+/* A vertex and its colour, a pair of numbers. */
 typedef struct vertex {
     int kind;
     int64_t value;
@@ -46,14 +46,14 @@ enum { ELIMINATED, KEPT, COEFFICIENT, ROW };
 typedef struct drawing {
     fmb_mem *mem;
     const fmb_program *p;
-    size_t vertices, edges;    /* edges: each end of each */
+    size_t vertices, edges;    /* edges: counted at both ends */
     vertex *vertex;            /* [vertices] */
     size_t *first;             /* [vertices] of its ends */
     int *degree, *end;         /* [vertices], [edges] */
     int *label, *same, *orbit; /* [vertices] */
 } drawing;
 
-/* Do all numbers fit into int64? */
+/* Do all numbers of the program fit into int64? */
 static bool is_program_small(const fmb_program *p)
 {
     if (p->terms + p->m + (size_t)p->n > MOST_VERTICES)
@@ -115,7 +115,7 @@ static void colour_vertices(drawing *d, const bool *keeps)
     }
 }
 
-/* Ends of columns come first, then those of rows, then two of each coefficient. */
+/* Ends at columns come first, then those at rows, then two for each coefficient. */
 static void draw_edges(drawing *d)
 {
     const fmb_program *p = d->p;
@@ -161,7 +161,7 @@ static int compare_vertices(const void *a, const void *b)
     return order != 0 ? order : (x->number > y->number) - (x->number < y->number);
 }
 
-/* Labels by colour; same[i]: the label after label i has the same. */
+/* Sort labels by colour; same[i]: the label after label i has the same colour. */
 static void label_by_colour(drawing *d)
 {
     qsort(d->vertex, d->vertices, sizeof *d->vertex, compare_vertices);
@@ -173,9 +173,9 @@ static void label_by_colour(drawing *d)
 
 /* ---- nauty ----------------------------------------------------------------------------------- */
 
-/* What is called of nauty, which is loaded when symmetries are first looked for, and stays; so only
- * those who look for some need it. FMB_NAUTY is the soname of the library that these headers are
- * of. */
+/* The functions of nauty, which is loaded at the first search for symmetries, and stays loaded; so
+ * only programs that search need it. FMB_NAUTY is the soname of the library that these headers
+ * belong to. */
 static struct {
     __typeof__(&Traces) find;
     __typeof__(&ran_init) seed;
@@ -208,7 +208,7 @@ static bool have_nauty(void)
 
 /* ---- automorphisms --------------------------------------------------------------------------- */
 
-/* The ring of permutations as generators of the group. */
+/* Make the ring of permutations generators of the group. */
 static fmb_status take_generators(const permnode *ring, const drawing *d, const bool *keeps,
                                   fmb_group *out)
 {
@@ -243,7 +243,7 @@ static fmb_status find_automorphisms(drawing *d, const bool *keeps, fmb_group *o
                          .elen = d->edges};
     options.defaultptn = FALSE;
     options.generators = &ring;
-    loaded.seed(1); /* Traces draws by lot: always the same */
+    loaded.seed(1); /* Traces uses random numbers: a fixed seed */
     loaded.find(&graph, d->label, d->same, d->orbit, &options, &stats, NULL);
     fmb_status st = ring ? take_generators(ring, d, keeps, out) : FMB_OK;
     loaded.free_generators(NULL, &ring);

@@ -1,4 +1,4 @@
-/* group.c: generators, each of them checked; see group.h. */
+/* group.c: generators, each of which is checked; see group.h. */
 #include "symmetry/group.h"
 
 #include <string.h>
@@ -18,9 +18,9 @@ void fmb_group_clear(fmb_group *g)
     *g = (fmb_group){0};
 }
 
-/* ---- is it one ------------------------------------------------------------------------------- */
+/* ---- is it a symmetry ------------------------------------------------------------------------ */
 
-/* Does image[n] take each of n numbers to another one? met[n] is scratch. */
+/* Is image[n] a permutation of n numbers? met[n] is scratch. */
 static bool is_permutation(const uint32_t *image, size_t n, bool *met)
 {
     memset(met, 0, n * sizeof *met);
@@ -32,7 +32,7 @@ static bool is_permutation(const uint32_t *image, size_t n, bool *met)
     return true;
 }
 
-/* The term of a row with that column; its size: there is none. */
+/* The term of a row in that column; the size of the row if there is none. */
 static size_t find_term(const fmb_program_row *r, int column)
 {
     size_t low = 0, high = r->size;
@@ -56,7 +56,7 @@ static bool are_entries_equal(const fmb_vec *a, size_t i, const fmb_vec *b, size
                 : fmb_integer_compare_i64(b->z[j], a->s[i]) == 0;
 }
 
-/* Is row a, its columns moved, row b? */
+/* Is row a, with its columns permuted, row b? */
 static bool is_row_taken_to(const fmb_program_row *a, const fmb_program_row *b,
                             const uint32_t *column)
 {

@@ -3,12 +3,12 @@
 
 #include <string.h>
 
-/* More images of one vector are not worth their memory. */
+/* Most images of one vector: more are not worth their memory. */
 #define MOST_IMAGES 4096
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-/* kept[] as places: which of them is the column? */
+/* The place of a column in kept[]. */
 static uint32_t place_of_column(const int *kept, size_t k, uint32_t column)
 {
     size_t j = 0;
@@ -45,7 +45,7 @@ void fmb_orbits_clear(fmb_orbits *o)
 
 /* ---- the hash table -------------------------------------------------------------------------- */
 
-/* The slot of v, or the free one where it would go; at least one is free. */
+/* The slot of v, or the free slot for it; at least one slot is free. */
 static size_t find_slot(const fmb_orbits *o, const fmb_vec *v)
 {
     size_t at = (size_t)fmb_vec_hash(v, o->k + 1) & (o->slots - 1);
@@ -76,7 +76,7 @@ size_t fmb_orbits_find(const fmb_orbits *o, const fmb_vec *v)
 
 /* ---- orbits ---------------------------------------------------------------------------------- */
 
-/* to = v under generator g. Room for k + 1 small entries is there. */
+/* to = the image of v under generator g. `to` has memory for k + 1 small entries. */
 static fmb_status move_vector(const fmb_orbits *o, const fmb_vec *v, size_t g, fmb_vec *to)
 {
     FMB_TRY(fmb_vec_copy(to, v, o->k + 1, o->run->mem));
@@ -90,7 +90,7 @@ static fmb_status move_vector(const fmb_orbits *o, const fmb_vec *v, size_t g, f
     return v->z ? fmb_vec_settle(to, o->k + 1, o->run->mem) : FMB_OK;
 }
 
-/* One item more, undefined but for its origin: it counts from keep_item on. */
+/* Make one more item, undefined except for its origin; keep_item_if_new counts it. */
 static fmb_status make_item(fmb_orbits *o, uint32_t from, uint32_t by, size_t tag)
 {
     fmb_mem *mem = o->run->mem;
@@ -110,7 +110,7 @@ static void drop_item(fmb_orbits *o)
     fmb_mem_put(o->run->mem, v->s, o->k + 1, sizeof *v->s);
 }
 
-/* The vector at the end of the items, unless there is one like it. */
+/* Count the vector at the end of the items unless an equal one exists. */
 static void keep_item_if_new(fmb_orbits *o)
 {
     size_t at = find_slot(o, &o->item[o->size].v);
@@ -155,7 +155,7 @@ size_t fmb_orbits_root(const fmb_orbits *o, size_t item)
     return item;
 }
 
-/* Where the moves that lead to the item take the row. */
+/* The image of the row under the generators that lead to the item. */
 static uint32_t move_row(const fmb_orbits *o, size_t item, uint32_t row)
 {
     const fmb_orbit_vector *t = &o->item[item];

@@ -33,7 +33,7 @@ void fmb_permutations_free(fmb_permutations *p)
 
 /* ---- one more -------------------------------------------------------------------------------- */
 
-/* met[n] becomes where something goes. */
+/* Are all images, where defined, distinct? met[n] becomes the set of these. */
 static bool goes_to_places_of_its_own(const int *image, int n, bool *met)
 {
     memset(met, 0, (size_t)n * sizeof *met);
@@ -76,8 +76,8 @@ static fmb_status append_permutation(fmb_permutations *p, const int *image)
     return FMB_OK;
 }
 
-/* Put down that variable j goes nowhere, or where another goes; FMB_OK if all go to places of their
- * own. from[n]: who comes there, -1 at first. */
+/* Report a variable whose image is no variable, or that of another one; FMB_OK if all images are
+ * distinct. from[n]: the variable that has this image, initially -1. */
 static fmb_status expect_permutation(fmb_permutations *p, const int *image, int *from)
 {
     for (int j = 0; j < p->dim; j++)

@@ -24,7 +24,7 @@ static void subtract_equality(fmb_row_images *t, size_t e)
     mpq_clear(factor);
 }
 
-/* x[dim + 1] of the moved row without the variables that equalities give. */
+/* x[dim + 1] = the permuted row without the pivot variables of equalities. */
 static void scatter_and_reduce(fmb_row_images *t)
 {
     for (size_t j = 0; j <= t->dim; j++)
@@ -36,7 +36,7 @@ static void scatter_and_reduce(fmb_row_images *t)
         subtract_equality(t, e);
 }
 
-/* x as integers in t->z and t->moved.var. */
+/* Write x as integers to t->z and t->moved.var. */
 static void gather_reduced_row(fmb_row_images *t)
 {
     mpz_ptr common = mpq_denref(t->q);
@@ -56,7 +56,7 @@ static void gather_reduced_row(fmb_row_images *t)
     mpz_set_ui(common, 1);
 }
 
-/* x, reduced, becomes an equality of the echelon form, unless nothing is left of it. */
+/* Make x, reduced, an equality of the echelon form unless it is 0. */
 static fmb_status append_equality(fmb_row_images *t)
 {
     size_t pivot = 0;
@@ -68,7 +68,7 @@ static fmb_status append_equality(fmb_row_images *t)
     FMB_TRY(fmb_rationals_new(&e, t->dim + 1, t->mem));
     for (size_t j = 0; j <= t->dim; j++)
         mpq_div(e[j], t->x[j], t->x[pivot]);
-    for (size_t k = 0; k < t->equalities; k++) { /* each a row to be reduced by the new one */
+    for (size_t k = 0; k < t->equalities; k++) { /* each is reduced by the new one */
         mpq_t *x = t->equality[k];
         mpq_set(t->q, x[pivot]);
         for (size_t j = 0; mpq_sgn(t->q) != 0 && j <= t->dim; j++) {
@@ -81,10 +81,10 @@ static fmb_status append_equality(fmb_row_images *t)
     return FMB_OK;
 }
 
-/* ---- one row, moved -------------------------------------------------------------------------- */
+/* ---- one row, permuted ----------------------------------------------------------------------- */
 
-/* Terms of the row by their new variables. Rows are short, or their order is nearly kept:
- * insertion. */
+/* Sort the terms of the row by their new variables. Rows are short, or nearly sorted: insertion
+ * sort. */
 static void sort_moved_terms(fmb_row_images *t, const fmb_sysrow *r, const int *image)
 {
     int *to = t->moved.var;
@@ -110,7 +110,7 @@ static uint64_t hash_of_moved_row(const fmb_row_images *t, fmb_rel rel)
     return h;
 }
 
-/* t->moved becomes row i, moved. fmb_vec_clear it. */
+/* t->moved = row i permuted. The caller must call fmb_vec_clear on t->moved.v. */
 static fmb_status move_row_by_image(fmb_row_images *t, size_t i, const int *image)
 {
     const fmb_sysrow *r = fmb_system_row(t->s, i);
@@ -129,7 +129,7 @@ static fmb_status move_row_by_image(fmb_row_images *t, size_t i, const int *imag
     return FMB_OK;
 }
 
-/* Is the row that was moved, with that relation, row i of the table? */
+/* Is the permuted row, with that relation, equal to row i of the table? */
 static bool is_moved_row(const fmb_row_images *t, fmb_rel rel, size_t i)
 {
     const fmb_row_image *a = &t->moved, *b = &t->row[i];
@@ -141,7 +141,7 @@ static bool is_moved_row(const fmb_row_images *t, fmb_rel rel, size_t i)
     return fmb_vec_equal(&a->v, &b->v, a->size + 1);
 }
 
-/* Its place in the table, or the free one where it belongs. */
+/* The slot of a row equal to the permuted one, or the free slot for it. */
 static size_t find_slot_of_moved_row(const fmb_row_images *t, fmb_rel rel)
 {
     size_t at = (size_t)t->moved.hash & (t->slots - 1);
@@ -150,7 +150,7 @@ static size_t find_slot_of_moved_row(const fmb_row_images *t, fmb_rel rel)
     return at;
 }
 
-/* Is the equality that was moved a combination of the others? */
+/* Is the permuted equality a combination of the others? */
 static bool does_moved_equality_follow(fmb_row_images *t)
 {
     scatter_and_reduce(t);
@@ -187,7 +187,7 @@ fmb_status fmb_row_images_check(fmb_row_images *t, const int *image, size_t *wit
 
 /* ---- the table ------------------------------------------------------------------------------- */
 
-/* Unless an equal one is there. */
+/* Enter row i unless an equal row is there. */
 static fmb_status enter_row(fmb_row_images *t, size_t i)
 {
     fmb_row_image *r = &t->row[i];
