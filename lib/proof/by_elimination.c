@@ -8,10 +8,10 @@
 #include "num/rationals.h"
 #include "system/system_private.h"
 
-/* Operations of an elimination before it is too much: some seconds, and less than 1 GiB. */
+/* Limit on the operations of an elimination: some seconds, and less than 1 GiB. */
 #define MOST_WORK ((uint64_t)1 << 29)
 
-/* a.x <= b, or < b, as z[k + 2]: a in lowest terms, b times a factor, the factor > 0. */
+/* a.x <= b, or < b, as z[k + 2]: a in lowest terms; b times a factor; the factor > 0. */
 typedef struct said_row {
     fmb_integers z;
     bool strict;
@@ -30,7 +30,7 @@ typedef struct matching {
     mpz_t p, q;
 } matching;
 
-/* ---- what claims say ------------------------------------------------------------------------- */
+/* ---- the rows of claims ---------------------------------------------------------------------- */
 
 static bool names_only_kept(const matching *m, const fmb_claim *c)
 {
@@ -40,7 +40,7 @@ static bool names_only_kept(const matching *m, const fmb_claim *c)
     return only;
 }
 
-/* A claim IMPLIED about kept variables, or one that leans on such alone? */
+/* Is c a claim IMPLIED about kept variables, or one that relies on such claims alone? */
 static bool is_said(const matching *m, const fmb_claim *c)
 {
     bool good =
@@ -53,14 +53,14 @@ static bool is_said(const matching *m, const fmb_claim *c)
     return good;
 }
 
-/* a and b become coprime in a, and the factor of b is put behind it. */
+/* Divide a by its content, which becomes the factor of b and is stored behind b. */
 static fmb_status settle_said_row(matching *m, fmb_integers *z)
 {
     FMB_TRY(fmb_integers_reduce(z->z, m->k, z->z[m->k + 1], m->of->poll));
     return fmb_integers_settle(z, m->mem);
 }
 
-/* sign times the claim's row, as said above. */
+/* sign times the claim's row, in the form of a said_row. */
 static fmb_status write_said_row(matching *m, const fmb_claim *c, int sign, fmb_integers *z)
 {
     FMB_TRY(fmb_integers_init(z, m->k + 2, m->mem));
@@ -115,10 +115,10 @@ static fmb_status list_said_rows(matching *m)
     return FMB_OK;
 }
 
-/* ---- what is left ---------------------------------------------------------------------------- */
+/* ---- the remaining rows ---------------------------------------------------------------------- */
 
-/* z is a, b and s for s a.x <= b, or < b. Some claims say t a.x <= c: does one of these say as
- * much, c / t <= b / s? */
+/* z is a, b and s for a row s a.x <= b, or < b. Is there a claim t a.x <= c as tight, that is, with
+ * c / t <= b / s? */
 static bool is_said_by_some(matching *m, const fmb_integers *z, bool strict)
 {
     size_t from = 0, to = m->size;
@@ -140,7 +140,7 @@ static bool is_said_by_some(matching *m, const fmb_integers *z, bool strict)
     return found;
 }
 
-/* Row i that is left, times sign. *good: every point satisfies it, or some claim says it. */
+/* For remaining row i, times sign: *good if every point satisfies it, or some claim implies it. */
 static fmb_status look_at_row(matching *m, size_t i, int sign, const fmb_unsaid *unsaid, bool *good)
 {
     const fmb_eliminated_row *r = &m->of->row[i];
@@ -164,7 +164,7 @@ static fmb_status look_at_row(matching *m, size_t i, int sign, const fmb_unsaid 
             mpz_mul(z.z[j], z.z[j], z.z[m->k + 1]);
         if (st == FMB_OK && !*good && unsaid) {
             st = unsaid->tell(unsaid->self, &z, strict);
-            *good = true; /* whoever was told sees to it */
+            *good = true; /* the callback handles the row */
         }
     }
     fmb_integers_clear(&z, m->mem);
@@ -235,7 +235,7 @@ fmb_status fmb_by_elimination_match(const fmb_elimination *of, const fmb_evidenc
     return st;
 }
 
-/* A step, by its number. */
+/* Order of the steps, by their numbers. */
 static int compare_steps(const void *x, const void *y)
 {
     mpq_srcptr a = *(const mpq_srcptr *)x, b = *(const mpq_srcptr *)y;
@@ -243,13 +243,13 @@ static int compare_steps(const void *x, const void *y)
     return order != 0 ? order : (a > b) - (a < b);
 }
 
-/* Kept variables stay: without them less is left. */
+/* Kept variables must not be eliminated: fewer rows would then remain to be checked. */
 static bool is_kept(const fmb_claim *q, size_t variable)
 {
     return fmb_sparse_find(&q->terms, variable) != NULL;
 }
 
-/* Variables go in the order of the numbers beside them. */
+/* Eliminate variables in the order of the numbers beside them. */
 static fmb_status go_all_steps(fmb_elimination *of, const fmb_claim *q, const char **why)
 {
     const fmb_sparse_vector *steps = &q->point;
@@ -311,7 +311,7 @@ static bool is_inequality_of_system(const fmb_evidence *e, const fmb_claim *c)
     return good;
 }
 
-/* The claims it names, times their multipliers, and *strict, if one with < counts. */
+/* sum = the claims times their multipliers; *strict: a claim with < has a positive one. */
 static const char *add_all_claims(const fmb_evidence *e, const fmb_claim *q, mpq_t *sum, mpq_t t,
                                   const fmb_poll *poll, bool *strict, fmb_status *st)
 {

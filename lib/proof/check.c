@@ -1,16 +1,14 @@
 /* check.c: the checker of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c,
- * by_elimination.c and elimination.c
- * are the trusted base: believe them, GMP, and how a system stores its rows, and nothing else of
- * the library needs to be believed.
+ * by_elimination.c and elimination.c are the trusted base: if they, GMP, and the storage of a
+ * system's rows are correct, no other part of the library needs to be trusted.
  *
- * All claims come down to two questions, asked of the rows as the user wrote them (combine_rows.h):
+ * All claims come down to two questions about the rows as the user wrote them (combine_rows.h):
  *   proves:  do the multipliers combine the rows to a given inequality?
  *   side_of: on which side of a row does a point lie?
- * Numbers that a claim does not need are not looked at. Claims about redundancy stand or fall
- * together: they tell how rows go one after another, each implied by rows not gone by then; "the
- * rows that stay" are those that never go, and one that a claim EQUALITY names counts as an
- * equality. Source: Schrijver, Theory of Linear and Integer Programming, 1986, sections 7.3
- * and 7.8.
+ * Numbers that a claim does not need are ignored. Claims about redundancy hold only together: they
+ * remove rows one after another, each implied by rows not removed by then; the "kept rows" are
+ * those that no claim removes, and a row that a claim EQUALITY names counts as an equality. Source:
+ * Schrijver, Theory of Linear and Integer Programming, 1986, sections 7.3 and 7.8.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -29,16 +27,16 @@ typedef struct court {
     fmb_mem mem;
     fmb_guard guard;
     fmb_poll poll;
-    size_t *goes;   /* [rows] the first claim REDUNDANT that names the row, SIZE_MAX: it stays */
+    size_t *goes;   /* [rows] the first claim REDUNDANT that names the row, SIZE_MAX: kept */
     size_t *equal;  /* [rows] the first claim EQUALITY that names the row, SIZE_MAX: none */
     size_t now;     /* the claim being judged */
     bool feasible;  /* a claim FEASIBLE was accepted */
     bool integers;  /* the system has integer variables ... */
     bool integral;  /* ... and a claim FEASIBLE was accepted whose point is integral there */
-    bool doubtful;  /* a claim other than WHOLE was not */
-    fmb_status st;  /* not FMB_OK: there was no memory, time or patience to go on */
+    bool doubtful;  /* a claim other than WHOLE was rejected */
+    fmb_status st;  /* not FMB_OK: out of memory, or a limit was reached */
     char *reason;   /* [sizeof fmb_judgement.reason] */
-    fmb_place here; /* the point or ray at hand */
+    fmb_place here; /* the point or ray being tested */
 } court;
 
 /* Always false, so that a refusal reads as one line. Rows and variables are named as in files. */
@@ -61,7 +59,7 @@ static bool goes_on(court *c, fmb_status st)
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
-/* Lay a claim's point or ray out by variable; afterwards take it away again. */
+/* Store a claim's point or ray by variable; fmb_place_take removes it afterwards. */
 static bool lay_out(court *c, const fmb_sparse_vector *x, bool direction)
 {
     for (size_t k = 0; k < x->size; k++)
@@ -80,8 +78,8 @@ static bool keeps(int side, fmb_rel rel)
 
 typedef enum reading { AS_WRITTEN, CLOSED, DIRECTION } reading;
 
-/* Does x keep every row: as written; with < read as <=; or as a direction in which one can walk
- * for ever without leaving the rows? */
+/* Does x satisfy every row: as written; with < read as <=; or as a direction of the recession
+ * cone? */
 static bool keeps_all(court *c, const fmb_sparse_vector *x, reading how)
 {
     bool good = true;
@@ -103,12 +101,12 @@ static bool keeps_all(court *c, const fmb_sparse_vector *x, reading how)
 
 typedef enum basis {
     WRITTEN, /* all rows */
-    FLAT,    /* all rows; those that an earlier claim EQUALITY names count as equalities */
-    PRESENT  /* rows that have not gone; those that never go and that any claim EQUALITY names count
-                as equalities */
+    FLAT,    /* all rows; a row that an earlier claim EQUALITY names counts as one */
+    PRESENT  /* rows not yet removed; a row that is never removed and that any claim EQUALITY names
+                counts as an equality */
 } basis;
 
-/* The relation that multipliers in the claim being judged may take row i to have. */
+/* The relation of row i for the multipliers of the claim being checked. */
 static fmb_rel relation_in(const court *c, size_t i, basis from)
 {
     bool equal = from == FLAT      ? c->equal[i] < c->now
@@ -117,7 +115,7 @@ static fmb_rel relation_in(const court *c, size_t i, basis from)
     return equal ? FMB_EQ : fmb_system_row(c->s, i)->rel;
 }
 
-/* May the multipliers be what they are? *strict: one of a strict row is positive. */
+/* Are rows and signs of the multipliers valid? *strict: one of a strict row is positive. */
 static bool are_multipliers(court *c, const fmb_sparse_vector *multipliers, basis from,
                             bool *strict)
 {
@@ -173,7 +171,8 @@ static bool check_infeasible(court *c, const fmb_claim *q)
     return proves(c, &q->multipliers, &(fmb_combination_goal){.row = SIZE_MAX}, true, WRITTEN);
 }
 
-/* The form of a claim is its variable, if it names one, as ends may, plus its terms. */
+/* The form of a claim is its variable, if any (BOUND and UNBOUNDED), plus its terms: is it
+ * valid? */
 static bool has_form(court *c, const fmb_claim *q)
 {
     bool end = q->kind == FMB_CLAIM_BOUND || q->kind == FMB_CLAIM_UNBOUNDED;
@@ -191,10 +190,10 @@ static bool proves_form(court *c, const fmb_claim *q, const fmb_sparse_vector *m
                   WRITTEN);
 }
 
-/* form <= value and a solution attains it; or form < value and solutions come as near as you like.
- * For the latter, let p satisfy the rows with < read as <=, form(p) = value, and let q be a
- * solution. Every q + t(p - q), 0 <= t < 1, is a solution (a strict row holds strictly at q), and
- * the form tends to value as t tends to 1. Lower ends are upper ends of -form. */
+/* form <= value and a solution attains it; or form < value and solutions come arbitrarily near. For
+ * the latter, let p satisfy the rows with < read as <=, form(p) = value, and let q be a solution.
+ * Every q + t(p - q), 0 <= t < 1, is a solution (a strict row holds strictly at q), and the form
+ * tends to value as t tends to 1. Lower bounds are upper bounds of -form. */
 static bool check_bound(court *c, const fmb_claim *q)
 {
     if (q->rel == FMB_EQ)
@@ -213,7 +212,7 @@ static bool check_bound(court *c, const fmb_claim *q)
            (sign == 0 || refuse(c, "the point is not at the bound"));
 }
 
-/* From a solution one can walk along the ray for ever. */
+/* From a solution, all points along the ray are solutions. */
 static bool check_unbounded(court *c, const fmb_claim *q)
 {
     if (!has_form(c, q))
@@ -248,8 +247,8 @@ static bool has_row(court *c, const fmb_claim *q)
     return q->row < c->s->rows || refuse(c, "the claim is about no row");
 }
 
-/* The last row to go follows from rows that stay, the one before it from those and the last, and so
- * on: the rows that stay, with their equalities, imply all others. */
+/* The last row removed follows from the kept rows, the one before it from these and the last, and
+ * so on: the kept rows, with their equalities, imply all others. */
 static bool check_redundant(court *c, const fmb_claim *q)
 {
     if (!has_row(c, q))
@@ -259,8 +258,8 @@ static bool check_redundant(court *c, const fmb_claim *q)
            (rel != FMB_EQ || proves_row(c, q->row, &q->reverse, -1, false, PRESENT));
 }
 
-/* Row a.x <= b is an equality if all rows, and equalities known by now, prove -a.x <= -b. A strict
- * row is none, even where there is no solution: as an equality it would let points in. */
+/* Row a.x <= b is an equality if all rows, and earlier claims EQUALITY, prove -a.x <= -b. A strict
+ * row is never one, even if there is no solution: as an equality it would admit points. */
 static bool check_equality(court *c, const fmb_claim *q)
 {
     if (!has_row(c, q))
@@ -270,7 +269,7 @@ static bool check_equality(court *c, const fmb_claim *q)
     return proves_row(c, q->row, &q->multipliers, -1, false, FLAT);
 }
 
-/* Without row i the rows that stay would let the point in. */
+/* The point satisfies all kept rows but row q->row, which it violates. */
 static bool check_irredundant(court *c, const fmb_claim *q)
 {
     bool good = true;
@@ -335,7 +334,7 @@ static bool check_by_kind(court *c, const fmb_claim *q)
     return by_kind[q->kind](c, q);
 }
 
-/* What an accepted claim says of the system. */
+/* The verdict on the system that an accepted claim gives. */
 static fmb_verdict meaning(const fmb_claim *q)
 {
     if (q->kind == FMB_CLAIM_INFEASIBLE)
@@ -345,13 +344,14 @@ static fmb_verdict meaning(const fmb_claim *q)
     return has_solution ? FMB_FEASIBLE : FMB_UNKNOWN;
 }
 
-/* Claims FEASIBLE come first, others lean on them; claims WHOLE last, they lean on all others. */
+/* Claims FEASIBLE come first, as others rely on them; claims WHOLE last: they rely on all
+ * others. */
 static int turn_of(const fmb_claim *q)
 {
     return q->kind == FMB_CLAIM_FEASIBLE ? 0 : q->kind != FMB_CLAIM_WHOLE ? 1 : 2;
 }
 
-/* Check claim i, and put down what becomes of it. The reason of the first failing claim wins. */
+/* Check claim i, and note the result. The reason of the first failing claim is reported. */
 static void check_claim(court *c, size_t i, fmb_judgement *out)
 {
     char reason[sizeof out->reason] = "";
@@ -386,7 +386,7 @@ static void check_all(court *c, fmb_judgement *out)
         snprintf(out->reason, sizeof out->reason, "there is no claim");
 }
 
-/* Which rows go, and which are equalities. */
+/* Note which rows are removed, and which are equalities. */
 static void mark_rows(court *c)
 {
     for (size_t i = 0; i < c->s->rows; i++)
@@ -400,7 +400,7 @@ static void mark_rows(court *c)
     }
 }
 
-/* A limit is a result: what was not judged by then was not accepted. */
+/* A limit is a result: claims not judged by then are not accepted. */
 static void check_to_limit(court *c, fmb_judgement *out)
 {
     fmb_judgement found = {.size = sizeof found, .claim = SIZE_MAX};

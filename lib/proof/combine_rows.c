@@ -1,7 +1,7 @@
 /* combine_rows.c: see combine_rows.h; part of the trusted base, as check.c is. */
 #include "proof/combine_rows.h"
 
-/* Weights, and the products of entries with them, being put together. */
+/* Weights, and the products of entries with them, being collected. */
 typedef struct combination {
     fmb_fractions w;
     size_t weights;
@@ -26,21 +26,21 @@ static void close_combination(combination *b)
     fmb_fractions_clear(&b->w);
 }
 
-/* The next weight is num / den, in lowest terms or not. */
+/* Append a weight num / den, in lowest terms or not. */
 static void put_weight(combination *b, mpz_srcptr num, mpz_srcptr den)
 {
     mpz_set(b->w.num.z[b->weights], num);
     mpz_set(b->w.den.z[b->weights++], den);
 }
 
-/* Its entry in a column: entry k of val, or 1. */
+/* Append the product of that weight with entry k of val, or with 1, in a column. */
 static void put_product(combination *b, size_t column, const fmb_vec *val, size_t k)
 {
     b->product[b->products++] =
         (fmb_product){.column = column, .val = val, .k = k, .weight = b->weights - 1};
 }
 
-/* A row, which is (val / den), times a weight. */
+/* Append a row, which is (val / den), times a weight. */
 static void put_row(combination *b, const fmb_sysrow *row, mpz_srcptr num, mpz_srcptr den)
 {
     mpz_t common, rest;
@@ -58,7 +58,7 @@ static void put_row(combination *b, const fmb_sysrow *row, mpz_srcptr num, mpz_s
     put_product(b, b->right, &row->val, row->nnz);
 }
 
-/* Minus sign times the goal. */
+/* Append minus sign times the goal. */
 static void put_goal(combination *b, const fmb_system *s, const fmb_combination_goal *goal)
 {
     const fmb_claim *q = goal->claim;
@@ -82,7 +82,7 @@ static void put_goal(combination *b, const fmb_system *s, const fmb_combination_
     mpz_clears(factor, one, NULL);
 }
 
-/* Look at the sum of each column. */
+/* Compute the sum of each column. */
 static fmb_status read_columns(combination *b, int *wrong, int *right)
 {
     fmb_status st = fmb_fractions_share(&b->w);

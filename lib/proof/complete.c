@@ -2,21 +2,21 @@
  *
  * Let S be the system, S' the same with < read as <=, and "image" the projection on the k kept
  * variables. Claims IMPLIED give valid rows a.x <= b, some of them strict, and equations; Q is the
- * set of x that satisfy them with < read as <=, and Q* that of those that satisfy them as written.
+ * set of x that satisfy them with < read as <=, and Q* the set of x that satisfy them as written.
  * Claims CORNER give points p and directions d of S'.
  *
- * No index comes twice in a list of a claim: the reader sees to it.
+ * No index comes twice in a list of a claim: the reader ensures that.
  *
  * The image of S is Q* if the conditions of docs/theory.md, theorem 10, hold, which are checked
  * here.
  *
  * The space A is that of all (x, t) with a.x = b t for the equations; its dimension is k + 1 minus
- * their rank. The forms R are b t - a.x for the rows, and t. The vectors G are (x(p), 1) and
- * (x(d), 0). Let N be those of G on which all forms vanish.
+ * their rank. The forms R are b t - a.x for the rows, and t. The vectors G are (x(p), 1) and (x(d),
+ * 0). Let N be the set of those in G on which all forms vanish.
  *   1. With each g, N has a negative multiple of g. So cone N is a linear space, of dimension l.
  *   2. The rest of G is closed of dimension dim A - l (lattice.h), in A modulo cone N.
  *   3. Let F be a face of P that contains a point with t > 0 and on which no form of a strict row
- *      vanishes. Then for each strict row of S, some corner on F satisfies it strictly; of a
+ *      vanishes. Then for each strict row of S, some corner on F satisfies it strictly; for a
  *      direction, that means a.d < 0.
  */
 #include "proof/complete.h"
@@ -65,8 +65,8 @@ static bool is_entry_taken(const assembly *a, const fmb_sparse_vector *list, con
     return !column || a->kept[list->index[k]];
 }
 
-/* out = a common denominator of entries [from, to) that are taken, by halves: so long numbers meet
- * long ones. */
+/* out = a common denominator of the entries [from, to) that are taken, by halves: so long numbers
+ * meet long ones. */
 static void find_denominator(const assembly *a, const fmb_sparse_vector *list, const size_t *column,
                              size_t from, size_t to, mpz_t out)
 {
@@ -83,8 +83,8 @@ static void find_denominator(const assembly *a, const fmb_sparse_vector *list, c
     mpz_clear(half);
 }
 
-/* v = sign times the list, by column (NULL: by index; entries of no column are left out), then
- * `last` behind it; all times a common denominator. */
+/* v = sign times the list, by column (NULL: by index; entries without a column are left out), then
+ * `last`; all times a common denominator. */
 static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_t *column, int sign,
                          mpq_srcptr last, size_t width, fmb_integers *v)
 {
@@ -105,7 +105,7 @@ static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_
     return fmb_integers_settle(v, a->mem);
 }
 
-/* A corner over all variables, or kept ones; t is 1 for points. */
+/* A corner over all variables, or over kept ones; t is 1 for points. */
 static fmb_status gather_corner(assembly *a, const fmb_claim *c, const size_t *column, size_t width,
                                 fmb_integers *v)
 {
@@ -128,7 +128,7 @@ static fmb_status find_residues(assembly *a, const fmb_integers *v, size_t n, ui
     return m ? FMB_OK : fmb_mem_status(a->mem);
 }
 
-/* Is form number i 0 at vector number g? */
+/* Is form number i zero at vector number g? */
 static bool is_form_zero(assembly *a, size_t i, size_t g)
 {
     size_t width = a->width;
@@ -143,7 +143,7 @@ static bool is_form_zero(assembly *a, size_t i, size_t g)
     return mpz_sgn(a->t) == 0;
 }
 
-/* The rank of m[n][width] modulo the prime, which is spent on finding it out. */
+/* The rank of m[n][width] modulo the prime; m is overwritten. */
 static fmb_status eliminate_modulo(assembly *a, const fmb_prime *prime, uint64_t *m, size_t n,
                                    size_t *rank)
 {
@@ -171,7 +171,7 @@ static fmb_status eliminate_modulo(assembly *a, const fmb_prime *prime, uint64_t
     return FMB_OK;
 }
 
-/* *rank = the rank of v[n] modulo a prime: it is no more than the rank. */
+/* *rank = the rank of v[n] modulo a prime, which is at most the rank of v[n]. */
 static fmb_status find_rank_modulo(assembly *a, const fmb_integers *v, size_t n, size_t *rank)
 {
     const fmb_prime prime = fmb_prime_number(0);
@@ -187,7 +187,7 @@ static fmb_status find_rank_modulo(assembly *a, const fmb_integers *v, size_t n,
     return st;
 }
 
-/* *found = the rank of v[n], which is spent on finding it out. */
+/* *found = the rank of v[n], which is overwritten. */
 static fmb_status find_rank(assembly *a, fmb_integers *v, size_t n, size_t *found)
 {
     size_t rank = 0;
@@ -267,9 +267,9 @@ static fmb_status write_out_numbers(assembly *a)
     return find_residues(a, a->vector, a->corners, &a->vector_residue);
 }
 
-/* ---- which corner is where ------------------------------------------------------------------- */
+/* ---- incidences of corners ------------------------------------------------------------------- */
 
-/* The zeros of all forms; the last one is t, which excludes faces at infinity. */
+/* Find the zeros of all forms; the last one is t, which excludes faces at infinity. */
 static fmb_status find_zeros(assembly *a)
 {
     fmb_lattice *l = &a->faces;
@@ -304,7 +304,7 @@ static bool are_opposite(const fmb_integers *v, const fmb_integers *w)
     return opposite;
 }
 
-/* Condition 1. Vectors are in lowest terms. The free ones come first, *n of them. */
+/* Condition 1. Vectors are in lowest terms. The vectors of N are moved to the front, *n of them. */
 static bool is_free_part_linear(assembly *a, size_t *n)
 {
     bool linear = true;
@@ -324,7 +324,7 @@ static bool is_free_part_linear(assembly *a, size_t *n)
     return linear;
 }
 
-/* Does a corner over all variables, behind it t, satisfy a strict row of the system strictly? */
+/* Does a corner over all variables, then t, satisfy a strict row of the system strictly? */
 static bool is_strictly_inside(assembly *a, const fmb_sysrow *row, const fmb_integers *v)
 {
     mpz_set_ui(a->t, 0);
@@ -337,7 +337,7 @@ static bool is_strictly_inside(assembly *a, const fmb_sysrow *row, const fmb_int
     return mpz_sgn(a->t) < 0;
 }
 
-/* Which corners are strictly inside of each strict row of the system. */
+/* Find the corners strictly inside of each strict row of the system. */
 static fmb_status find_strict_insides(assembly *a)
 {
     fmb_lattice *l = &a->faces;
@@ -369,7 +369,7 @@ static fmb_status find_strict_insides(assembly *a)
 
 /* ---- the claim ------------------------------------------------------------------------------- */
 
-/* Condition 2, with that sum of ranks. */
+/* Conditions 2 and 3 with this sum of ranks. */
 static fmb_status check_faces_of(assembly *a, size_t rank, fmb_lattice_end *end)
 {
     return rank > a->width ? FMB_OK
@@ -378,8 +378,8 @@ static fmb_status check_faces_of(assembly *a, size_t rank, fmb_lattice_end *end)
 }
 
 /* Ranks modulo a prime may be too small, which makes the dimension too large: no set is closed of a
- * dimension that is larger than that of its span (lattice.h), so nothing wrong is accepted; and
- * before something is refused the ranks are found exactly. */
+ * dimension larger than that of its span (lattice.h), so nothing wrong is accepted; and before a
+ * claim is refused, the ranks are computed exactly. */
 static fmb_status check_faces(assembly *a, const char **why, bool *on)
 {
     static const char *const said[] = {

@@ -1,5 +1,5 @@
-/* demand.c: do the claims of a proof say what somebody wants to hear? Whether they hold is the
- * checker's business (check.c); here they are only read. */
+/* demand.c: are the claims of a proof an answer to a given demand? Whether they hold is checked
+ * elsewhere (check.c); here they are only read. */
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -8,7 +8,7 @@
 #include "proof/integral.h"
 #include "system/system_private.h"
 
-/* Who asks. Once st is a limit nothing is found any more, and nothing is missing. */
+/* State of a demand. Once st is a limit, nothing more is found, and nothing reported missing. */
 typedef struct asker {
     const fmb_evidence *e;
     const fmb_system *s, *image;
@@ -20,7 +20,7 @@ typedef struct asker {
     size_t size;
 } asker;
 
-/* Another claim, or row, is looked at. */
+/* Poll before another claim or row is read. */
 static bool has_time(asker *a)
 {
     if (a->st == FMB_OK)
@@ -28,7 +28,7 @@ static bool has_time(asker *a)
     return a->st == FMB_OK;
 }
 
-/* What is missing goes to why; always false. */
+/* Report what is missing in `why`; always false. */
 __attribute__((format(printf, 2, 3))) static bool miss(const asker *a, const char *format, ...)
 {
     va_list args;
@@ -48,7 +48,7 @@ static bool has_claim(asker *a, fmb_claim_kind kind)
     return false;
 }
 
-/* A solution, which is integral where the system says integers: of others, only over the reals. */
+/* Is there a solution, integral as the system requires? Else one may exist over the reals only. */
 static bool names_solution(asker *a)
 {
     bool any = false;
@@ -62,7 +62,7 @@ static bool names_solution(asker *a)
                : miss(a, "no claim is feasible");
 }
 
-/* Two marks a variable. */
+/* Are both bounds of each variable claimed? `seen` has two marks for each variable. */
 static bool names_all_ends(asker *a, bool *seen)
 {
     for (size_t i = 0; i < a->e->claims && has_time(a); i++) {
@@ -79,7 +79,7 @@ static bool names_all_ends(asker *a, bool *seen)
     return true;
 }
 
-/* A mark a row; equalities may stay without a word. */
+/* Is there a claim for each row but equalities? `seen` has a mark for each row. */
 static bool names_all_rows(asker *a, bool *seen)
 {
     for (size_t i = 0; i < a->e->claims && has_time(a); i++)
@@ -93,8 +93,8 @@ static bool names_all_rows(asker *a, bool *seen)
 
 /* ---- projections ----------------------------------------------------------------------------- */
 
-/* Is row i of the image a multiple of the claim's left side, times *factor? One without terms is no
- * multiple of anything. */
+/* Is row i of the image a multiple of the claim's left side, times *factor? A claim without terms
+ * never is. */
 static bool is_multiple(const asker *a, const fmb_claim *c, size_t i, mpq_t factor, mpq_t t)
 {
     size_t n = fmb_system_terms(a->image, i);
@@ -113,7 +113,7 @@ static bool is_multiple(const asker *a, const fmb_claim *c, size_t i, mpq_t fact
     return good;
 }
 
-/* Does the claim's inequality, times that factor, say as much as row i? */
+/* Is the claim's inequality, times that factor, as tight as row i? */
 static bool is_as_tight(const asker *a, const fmb_claim *c, size_t i, const mpq_t factor, mpq_t t)
 {
     fmb_rel wanted = fmb_system_rel(a->image, i);
@@ -129,22 +129,22 @@ static bool is_as_tight(const asker *a, const fmb_claim *c, size_t i, const mpq_
     return order == 0 ? equal_will_do : order < 0 && wanted != FMB_EQ;
 }
 
-/* Does every point satisfy 0 REL value, and does none? */
+/* Does every point satisfy 0 REL value? Otherwise none does. */
 static bool is_true(fmb_rel rel, mpq_srcptr value)
 {
     int sign = mpq_sgn(value);
     return rel == FMB_EQ ? sign == 0 : rel == FMB_LT ? sign > 0 : sign >= 0;
 }
 
-/* Is row i of the image constant, and true if that is what is wanted, else false? */
+/* Is row i of the image constant, and true if `wanted`, else false? */
 static bool is_constant(const asker *a, size_t i, bool wanted, mpq_t t)
 {
     fmb_system_rhs_q(a->image, i, t);
     return fmb_system_terms(a->image, i) == 0 && is_true(fmb_system_rel(a->image, i), t) == wanted;
 }
 
-/* Is each row of the image implied by a claim, or true of everything? They come in the same order,
- * mostly. */
+/* Is each row of the image implied by a claim, or trivial? Rows and claims mostly are in the same
+ * order. */
 static bool names_image(asker *a)
 {
     bool good = true;
@@ -175,7 +175,7 @@ static bool has_false_row(asker *a)
     return found;
 }
 
-/* Row i of the image is the claim's left side times that factor: does it say as much as the claim?
+/* Row i of the image has the claim's left side times that factor: is it as tight as the claim?
  */
 static bool says_as_much(const asker *a, const fmb_claim *c, size_t i, const mpq_t factor, mpq_t t)
 {
@@ -189,8 +189,8 @@ static bool says_as_much(const asker *a, const fmb_claim *c, size_t i, const mpq
     return order == 0 ? equal_will_do : order < 0 && c->rel != FMB_EQ;
 }
 
-/* Is the claim in a row of the image, where *at is looked at first? They come in the same order,
- * mostly. */
+/* Is the claim a row of the image? Row *at is tried first, as claims and rows mostly are in the
+ * same order. */
 static bool is_in_image(asker *a, const fmb_claim *c, size_t *at)
 {
     bool found = c->terms.size == 0 && is_true(c->rel, c->value);
@@ -203,7 +203,7 @@ static bool is_in_image(asker *a, const fmb_claim *c, size_t *at)
     return found;
 }
 
-/* kept[dim]: variables of the image. Is there a claim WHOLE about these? */
+/* kept[dim]: the variables of the image. Is there a claim WHOLE for them? */
 static bool names_complete(asker *a, bool *kept)
 {
     size_t size = (size_t)fmb_system_dim(a->image);
@@ -222,7 +222,7 @@ static bool names_complete(asker *a, bool *kept)
     return found || miss(a, "no claim is about the whole projection");
 }
 
-/* A system that asks for a projection stands for that, not for its rows. */
+/* A system that asks for a projection stands for the projection, not for its rows. */
 static bool keeps_all_variables(asker *a)
 {
     for (int j = 0; j < fmb_system_dim(a->image) && has_time(a); j++)
@@ -232,8 +232,8 @@ static bool keeps_all_variables(asker *a)
     return true;
 }
 
-/* An image without integer variables is one over the reals. Else it must have those of the system,
- * and these must all be kept: then the integers of the image are the image of the integers. */
+/* An image without integer variables is one over the reals. Otherwise it must have those of the
+ * system, all kept: then the integer points of the image are the image of the integer points. */
 static bool keeps_integers(asker *a)
 {
     int first = fmb_system_first_integer(a->image);
@@ -246,7 +246,7 @@ static bool keeps_integers(asker *a)
     return true;
 }
 
-/* What the claim WHOLE leans on must be in the image. */
+/* The claims on which the claim WHOLE relies must be in the image. */
 static bool names_complete_image(asker *a, bool *kept)
 {
     bool good =
@@ -262,7 +262,7 @@ static bool names_complete_image(asker *a, bool *kept)
 
 /* ---- optima ---------------------------------------------------------------------------------- */
 
-/* Is the form of the claim, variable or terms, that objective? */
+/* Is the form of the claim, its variable or terms, the objective of that system? */
 static bool is_about_objective(const asker *a, const fmb_claim *c, const fmb_system *of, mpq_t t)
 {
     size_t n = fmb_system_objective_terms(of);
@@ -311,11 +311,11 @@ static bool meets_demand(asker *a, fmb_demand what, bool *seen)
         return names_solution(a);
     case FMB_DEMAND_INFEASIBLE:
         return has_claim(a, FMB_CLAIM_INFEASIBLE) || miss(a, "no claim is infeasible");
-    case FMB_DEMAND_BOUNDS: /* the empty set is in any box */
+    case FMB_DEMAND_BOUNDS: /* the empty set lies in any box */
         return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_all_ends(a, seen);
     case FMB_DEMAND_REDUCED:
         return names_all_rows(a, seen);
-    case FMB_DEMAND_PROJECTION: /* of the empty set everything is true */
+    case FMB_DEMAND_PROJECTION: /* any row holds on the empty set */
         return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_image(a);
     case FMB_DEMAND_WHOLE:
         return has_claim(a, FMB_CLAIM_INFEASIBLE)
@@ -329,7 +329,7 @@ static bool meets_demand(asker *a, fmb_demand what, bool *seen)
     return true;
 }
 
-/* A limit is a result: what was not found by then is not said to be missing. */
+/* A limit is a result: claims not found by then are not reported missing. */
 static fmb_status ask_to_limit(asker *a, fmb_demand what, fmb_stop *stop, bool *meets)
 {
     size_t marks = 2 * (size_t)a->e->dim + a->e->rows;

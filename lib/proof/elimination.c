@@ -7,10 +7,10 @@
 #include "num/bitset.h"
 #include "system/system_private.h"
 
-/* A product of integers counts as so many words of sets. */
+/* A product of integers counts as this many operations on words of sets. */
 #define WORK_OF_PRODUCT 16
 
-/* Rows that may be added, and where their sum would be positive. */
+/* Two rows that may be combined, and the size of the set where their sum is positive. */
 typedef struct row_pair {
     size_t p, q;
     size_t size; /* of the union of both sets */
@@ -65,8 +65,8 @@ void fmb_elimination_close(fmb_elimination *e)
     mpz_clears(e->p, e->q, NULL);
 }
 
-/* to = |b_v| to - sgn(b_v) to_v b, without common divisors: v vanishes, and to counts with a
- * positive factor; so does b, if both signs differ. */
+/* to = |b_v| to - sgn(b_v) to_v b, in lowest terms: v vanishes, and `to` has a positive factor; so
+ * has b if the signs of v in both differ. */
 static fmb_status cancel_variable(fmb_elimination *e, fmb_integers *to, const fmb_integers *b,
                                   size_t v)
 {
@@ -110,7 +110,7 @@ static size_t count_union(const fmb_elimination *e, size_t p, size_t q)
     return size;
 }
 
-/* Pairs of opposite sign that are positive in few enough places. *done false: too much. */
+/* List pairs of opposite sign that are positive in few enough places. *done false: too many. */
 static fmb_status list_pairs(fmb_elimination *e, size_t v, pair_list *l, bool *done)
 {
     for (size_t p = 0; p < e->rows; p++) {
@@ -134,7 +134,7 @@ static fmb_status list_pairs(fmb_elimination *e, size_t v, pair_list *l, bool *d
     return FMB_OK;
 }
 
-/* The smaller union first. */
+/* Order by size of the union, smaller ones first. */
 static int compare_pairs(const void *x, const void *y)
 {
     const row_pair *a = x, *b = y;
@@ -145,7 +145,7 @@ static int compare_pairs(const void *x, const void *y)
     return (a->q > b->q) - (a->q < b->q);
 }
 
-/* Is some row that v does not stand in, from there on, positive only where the new one would be? */
+/* Is some row without v, among all rows so far, positive only in places of this set? */
 static bool covers_another(fmb_elimination *e, const uint64_t *set, size_t v)
 {
     bool covers = false;
@@ -156,7 +156,7 @@ static bool covers_another(fmb_elimination *e, const uint64_t *set, size_t v)
     return covers;
 }
 
-/* The sum becomes the last row, unless it is not needed. */
+/* Append the sum of the pair as a new row unless it is not needed. */
 static fmb_status add_pair(fmb_elimination *e, const row_pair *pair, size_t v, uint64_t *set)
 {
     for (size_t w = 0; w < e->words; w++)

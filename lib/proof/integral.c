@@ -12,7 +12,7 @@ bool fmb_point_is_integral(const fmb_system *s, const fmb_sparse_vector *point)
     return integral;
 }
 
-/* Does the claim name all integer variables? No variable comes twice in it. */
+/* Does the claim name all integer variables? A variable is in it at most once. */
 static bool names_all_integers(const fmb_system *s, const fmb_claim *q)
 {
     size_t named = 0, all = 0;

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* Words looked at before it is too much: some seconds. */
+/* Limit on the words processed: some seconds. */
 #define MOST_WORDS ((uint64_t)1 << 32)
 /* Words of the sets of one level: 128 MiB. */
 #define MOST_WORDS_OF_LEVEL ((size_t)1 << 24)
@@ -28,22 +28,22 @@ typedef struct lattice_walk {
     const fmb_lattice *l;
     fmb_mem *mem;
     faces_of_level here, below;
-    size_t *part; /* [parts] words of the face at hand that are not 0: faces have few vectors */
+    size_t *part; /* [parts] nonzero words of the current face: faces have few vectors */
     size_t parts;
     uint64_t *face;    /* [words] scratch */
     uint64_t *set;     /* [forms][parts] of the cuts */
     face_cut *cut;     /* [forms] */
     size_t *facet;     /* [forms] cuts that are maximal ... */
-    size_t facets;     /* ... of the face at hand */
-    uint64_t words;    /* looked at so far */
-    uint64_t *unshown; /* the last face that does not meet what it must ... */
+    size_t facets;     /* ... of the current face */
+    uint64_t words;    /* processed so far */
+    uint64_t *unshown; /* the last face that misses a set `shows` ... */
     bool is_unshown;   /* ... if there is one */
     fmb_lattice_end end;
 } lattice_walk;
 
 /* ---- faces of a level ------------------------------------------------------------------------ */
 
-/* The slot of that face, or the one that is free for it; there is one. */
+/* The slot of that face, or the free slot for it; at least one slot is free. */
 static size_t *find_slot_of_face(const faces_of_level *at, const uint64_t *set, size_t words)
 {
     uint64_t h = 0;
@@ -97,7 +97,7 @@ static void clear_level(faces_of_level *at, fmb_mem *mem)
 
 /* ---- one face -------------------------------------------------------------------------------- */
 
-/* Larger ones come first. */
+/* Insert a cut; larger ones come first. */
 static void insert_cut(face_cut *cut, size_t cuts, face_cut c)
 {
     for (; cuts > 0 && cut[cuts - 1].size < c.size; cuts--)
@@ -105,7 +105,7 @@ static void insert_cut(face_cut *cut, size_t cuts, face_cut c)
     cut[cuts] = c;
 }
 
-/* Where r is zero[], is f&r neither empty nor f? */
+/* For the form r with zeros zero[]: is f&r neither empty nor f? */
 static bool is_proper_cut(const lattice_walk *w, const uint64_t *f, const uint64_t *zero)
 {
     uint64_t in = 0, out = 0;
@@ -116,7 +116,7 @@ static bool is_proper_cut(const lattice_walk *w, const uint64_t *f, const uint64
     return in != 0 && out != 0;
 }
 
-/* The sets f&r that are neither empty nor f, larger ones first; how many. */
+/* List the sets f&r that are neither empty nor f, larger ones first; returns their number. */
 static size_t cut_face(lattice_walk *w, const uint64_t *f)
 {
     size_t words = w->l->words, cuts = 0;
@@ -137,8 +137,8 @@ static size_t cut_face(lattice_walk *w, const uint64_t *f)
     return cuts;
 }
 
-/* Find the facets of f, unless some cut shows that f is not closed. Whatever contains a cut comes
- * before it, so that the maximal ones are known. */
+/* Find the facets of f, unless some cut shows that f is not closed. A cut comes after all cuts that
+ * contain it, so the maximal ones are known by then. */
 static bool find_facets(lattice_walk *w, const uint64_t *f)
 {
     size_t cuts = cut_face(w, f), words = w->parts, facets = 0;
@@ -164,16 +164,16 @@ static bool find_facets(lattice_walk *w, const uint64_t *f)
 
 /* ---- simple faces ---------------------------------------------------------------------------- */
 
-/* The members of a face, and for each the width forms that are 0 there: T(g), ascending. */
+/* The members of a face, and for each the `width` forms that are 0 there: T(g), ascending. */
 typedef struct simple_face {
     size_t members, width;
     uint32_t *tight; /* [members][width] */
-    size_t *slot;    /* [slots] a member and one of its forms that is left out, plus 1; 0: free */
-    bool *is_met;    /* [slots] some other member has all but another form in common with it */
+    size_t *slot;    /* [slots] number of a member and a form left out of it, plus 1; 0: free */
+    bool *is_met;    /* [slots] another member has these forms plus another one */
     size_t slots;
 } simple_face;
 
-/* Are the forms of number x and of number y the same, but for those that are left out? */
+/* Are the forms of numbers x and y the same, without the ones left out? */
 static bool are_same_but_one(const simple_face *s, size_t x, size_t y)
 {
     const uint32_t *a = s->tight + x / s->width * s->width, *b = s->tight + y / s->width * s->width;
@@ -187,7 +187,7 @@ static bool are_same_but_one(const simple_face *s, size_t x, size_t y)
     return same;
 }
 
-/* The slot of those that have the same forms but one as number x; there is a free one. */
+/* The slot of the same forms without one as number x; at least one slot is free. */
 static size_t find_slot_of_neighbours(const simple_face *s, size_t x)
 {
     const uint32_t *forms = s->tight + x / s->width * s->width;
@@ -201,8 +201,8 @@ static size_t find_slot_of_neighbours(const simple_face *s, size_t x)
     return i;
 }
 
-/* Has each member of the face, for each of its forms, one neighbour that has all others but not
- * that? A second one would be the same vector twice, up to a factor: that is left to the walk. */
+/* Has each member of the face, for each of its forms, one neighbour with all other forms but not
+ * it? A second one would be the same vector twice, up to a factor: that is left to the walk. */
 static bool have_all_neighbours(const simple_face *s)
 {
     bool all = true;
@@ -220,7 +220,7 @@ static bool have_all_neighbours(const simple_face *s)
     return all;
 }
 
-/* List which facets each member of f lies in; false: not in as many as the width. */
+/* List the facets that contain each member of f; false: not as many as the width. */
 static bool list_tight_forms(const lattice_walk *w, const uint64_t *f, simple_face *s)
 {
     size_t at = 0;
@@ -264,8 +264,8 @@ static fmb_status is_simple(lattice_walk *w, const uint64_t *f, size_t dimension
     return st;
 }
 
-/* Put the facets of f down as faces of the next level, unless f is simple, or some cut shows that
- * it is not closed. Who must show something looks at all faces. */
+/* Make the facets of f faces of the next level, unless f is simple, or some cut shows that it is
+ * not closed. If there are sets `shows`, all faces are visited. */
 static fmb_status descend_to_facets(lattice_walk *w, const uint64_t *f, size_t dimension)
 {
     bool simple = false;
@@ -284,7 +284,7 @@ static fmb_status descend_to_facets(lattice_walk *w, const uint64_t *f, size_t d
     return st;
 }
 
-/* One vector where some form is positive. */
+/* Is f one vector at which some form is positive? */
 static bool is_closed_ray(const lattice_walk *w, const uint64_t *f)
 {
     size_t words = w->l->words;

@@ -21,7 +21,7 @@ void fmb_fractions_clear(fmb_fractions *w)
 
 /* ---- groups ---------------------------------------------------------------------------------- */
 
-/* A weight as it was. */
+/* A weight with its own denominator. */
 typedef struct lone_weight {
     mpz_t den;
     size_t i;
@@ -34,13 +34,13 @@ static int compare_denominators(const void *x, const void *y)
     return order != 0 ? order : (a->i > b->i) - (a->i < b->i);
 }
 
-/* The most limbs of a denominator with which the weight is at most twice as long. */
+/* The most limbs of a common denominator that makes the weight at most twice as long. */
 static size_t longest_denominator(const fmb_fractions *w, const lone_weight *x)
 {
     return mpz_size(w->num.z[x->i]) + 2 * mpz_size(x->den) + 1;
 }
 
-/* The weights x[n] become group number g with that denominator, a multiple of theirs. */
+/* Make the weights x[n] group number g with denominator den, a multiple of theirs. */
 static void close_group(fmb_fractions *w, const lone_weight *x, size_t n, size_t g, mpz_t den)
 {
     mpz_t factor;
@@ -55,7 +55,7 @@ static void close_group(fmb_fractions *w, const lone_weight *x, size_t n, size_t
     mpz_swap(w->den.z[g], den);
 }
 
-/* x[size], sorted by denominators. w->den is free for those of the groups. */
+/* x[size] is sorted by denominator. The denominators of the groups are written to w->den. */
 static fmb_status form_groups(fmb_fractions *w, const lone_weight *x)
 {
     size_t first = 0, groups = 0, most = SIZE_MAX;
@@ -119,7 +119,7 @@ void fmb_products_sort(fmb_product *p, size_t n)
     qsort(p, n, sizeof *p, compare_products);
 }
 
-/* sum = the sum of products of one group, over the denominator of that. */
+/* sum = the sum of products of one group, over its denominator. */
 static void add_in_group(const fmb_fractions *w, const fmb_product *p, size_t n, mpz_t sum)
 {
     mpz_t factor;
@@ -145,7 +145,7 @@ static void add_fraction(mpz_t num, mpz_t den, mpz_t more, const mpz_t den_more)
     mpz_mul(den, den, den_more);
 }
 
-/* Where p[n], of several groups, is cut: near to the middle, between two groups. */
+/* Where to split p[n], of several groups: near the middle, between two groups. */
 static size_t find_cut(const fmb_product *p, size_t n)
 {
     size_t cut = n / 2;
@@ -178,8 +178,8 @@ static fmb_status add_by_halves(const fmb_fractions *w, const fmb_product *p, si
     return st;
 }
 
-/* Bytes of the numbers in add_by_halves, at most: on each side of the last addition a numerator and
- * a denominator, and as much for the result. */
+/* A bound on the bytes of numbers in add_by_halves: on each side of the last addition a numerator
+ * and a denominator, and as much for the result. */
 static size_t bytes_of_halves(const fmb_fractions *w, const fmb_product *p, size_t n)
 {
     size_t limbs = 0;

@@ -1,4 +1,4 @@
-/* evidence.c: life of an fmb_evidence, and its public accessors; see evidence.h. */
+/* evidence.c: creation of an fmb_evidence, and its public accessors; see evidence.h. */
 #include "proof/evidence/evidence.h"
 
 #include <string.h>
@@ -7,7 +7,7 @@
 
 /* ---- lists ----------------------------------------------------------------------------------- */
 
-/* What the limbs of a rational take from malloc, about: blocks of 16 bytes, the first 8 its own. */
+/* About what malloc uses for the limbs of a rational: blocks of 16 bytes, with a header of 8. */
 static size_t limb_bytes(mpq_srcptr q)
 {
     size_t num = mpz_size(mpq_numref(q)), den = mpz_size(mpq_denref(q));
@@ -25,7 +25,7 @@ static void clear_list(fmb_mem *mem, fmb_sparse_vector *list)
     *list = (fmb_sparse_vector){.size = 0};
 }
 
-/* Both arrays grow or neither does: they share one capacity. */
+/* Grow both arrays or neither: they share one capacity. */
 static fmb_status grow_list(fmb_mem *mem, fmb_sparse_vector *list)
 {
     size_t capacity = list->capacity + list->capacity / 2 + 4;
@@ -95,7 +95,7 @@ static void swap_entries(fmb_sparse_vector *list, size_t a, size_t b)
     mpq_swap(list->value[a], list->value[b]);
 }
 
-/* Entry k goes down in a heap of that size, whose largest index is in front. */
+/* Move entry k down in a heap of that size, with the largest index at the top. */
 static void restore_heap(fmb_sparse_vector *list, size_t k, size_t size)
 {
     for (size_t child; (child = 2 * k + 1) < size; k = child) {
@@ -118,7 +118,7 @@ void fmb_sparse_sort(fmb_sparse_vector *list)
     list->mixed = false;
 }
 
-/* By halving, where the indices increase. */
+/* By binary search if the indices increase. */
 mpq_srcptr fmb_sparse_find(const fmb_sparse_vector *list, size_t index)
 {
     size_t low = 0, high = list->size;
@@ -134,7 +134,7 @@ mpq_srcptr fmb_sparse_find(const fmb_sparse_vector *list, size_t index)
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
-/* Charge the limbs of the last claim's value, which is filled in by now. */
+/* Charge the limbs of the last claim's value, which has been filled in. */
 static fmb_status weigh_last_value(fmb_evidence *e)
 {
     fmb_claim *c = e->claims > 0 ? &e->claim[e->claims - 1] : NULL;
@@ -210,7 +210,7 @@ void fmb_evidence_free(fmb_evidence *e)
 
 /* ---- accessors ------------------------------------------------------------------------------- */
 
-/* Claim i, or one without numbers where there is none. */
+/* Claim i, or a claim without numbers if there is none. */
 static const fmb_claim *claim_at(const fmb_evidence *e, size_t i)
 {
     static const fmb_claim none = {.row = SIZE_MAX, .var = -1};
@@ -262,7 +262,7 @@ void fmb_evidence_ray_q(const fmb_evidence *e, size_t i, int j, mpq_t out)
     fmb_rational_give(fmb_sparse_find(&claim_at(e, i)->ray, (size_t)j), out);
 }
 
-/* NULL: there is no such claim. */
+/* The value of claim i; NULL: there is no such claim. */
 static mpq_srcptr value_of_claim(const fmb_evidence *e, size_t i)
 {
     return i < fmb_evidence_claims(e) ? e->claim[i].value : NULL;

@@ -4,7 +4,7 @@
 #include "base/clock.h"
 #include "base/sized.h"
 
-/* What is wrong with it, in words; "" and FMB_OK: nothing. */
+/* Check and copy the limits; why[size]: what is wrong with them, "" with FMB_OK. */
 static fmb_status take_patience(const fmb_patience *p, fmb_patience *ours, char *why, size_t size)
 {
     if (!fmb_sized_take(ours, sizeof *ours, p, "patience", why, size))

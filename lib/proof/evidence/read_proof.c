@@ -1,8 +1,8 @@
-/* read_proof.c: evidence from its text form (docs/proof-format.md).
+/* read_proof.c: reads evidence from its text form (docs/proof-format.md).
  *
  * Memory is bounded by the length of the text and the size of the system: the shape in the header
- * must be that of the system, a line gives one number at most, and seen holds a mark per part and
- * key. A text that was cut off lacks the count of its claims.
+ * must be that of the system, a line has at most one number, and `seen` has a mark for each part
+ * and key. In a truncated text the final number of claims is missing.
  */
 #include <string.h>
 
@@ -15,12 +15,12 @@ typedef struct reader {
     fmb_words words;
     const fmb_system *s;
     fmb_evidence *e;
-    /* seen[part][key] == number of claims so far: the key has come in this claim */
+    /* seen[part][key] == number of claims so far: the key was used in this claim */
     size_t *seen[FMB_PARTS];
     mpq_t number; /* scratch */
 } reader;
 
-/* Claims come in ascending order in their lines: they need no marks. */
+/* Numbers of keys with marks: lines of claims are in ascending order and need none. */
 static size_t keys(const reader *r, fmb_form_part part)
 {
     fmb_part_key by = fmb_part_forms[part].key;
@@ -70,7 +70,7 @@ static fmb_status read_side(reader *r, fmb_side *out)
     return FMB_OK;
 }
 
-/* What a word says as a relation, of the first n; -1: it is none. */
+/* The index of the current word among the first n relations; -1: it is none. */
 static int relation_of_word(const reader *r, fmb_side side, int n)
 {
     int rel = n - 1;
@@ -79,7 +79,7 @@ static int relation_of_word(const reader *r, fmb_side side, int n)
     return rel;
 }
 
-/* One of the first n relations <=, <, =, as that end of an interval spells them. */
+/* Read one of the first n relations <=, <, =, as written for that end of an interval. */
 static fmb_status read_relation(reader *r, fmb_side side, int n, fmb_rel *out)
 {
     FMB_TRY(fmb_words_next(&r->words));
@@ -102,7 +102,7 @@ static fmb_status read_end_heading(reader *r, fmb_claim *c)
     return r->words.size > 0 ? find_variable(r, &c->var) : FMB_OK;
 }
 
-/* "[VARIABLE] REL VALUE". A variable may be called like a relation: then another one follows. */
+/* "[VARIABLE] REL VALUE". A variable may be named like a relation: then a relation follows it. */
 static fmb_status read_bound_heading(reader *r, fmb_claim *c)
 {
     fmb_status st = fmb_words_next(&r->words);
@@ -127,7 +127,7 @@ static fmb_status read_bound_heading(reader *r, fmb_claim *c)
     return st == FMB_OK ? read_number(r, c->value) : st;
 }
 
-/* Note that the key has come as that part of this claim; it must be new there. */
+/* Mark the key as used in that part of this claim; it must be new there. */
 static fmb_status mark_key(reader *r, fmb_form_part part, size_t key)
 {
     const fmb_part_form *form = &fmb_part_forms[part];
@@ -175,7 +175,7 @@ static fmb_status read_heading(reader *r, fmb_claim *c)
     return st == FMB_OK ? fmb_words_end(&r->words) : st;
 }
 
-/* An earlier claim, behind those that came in this list. */
+/* Read the number of an earlier claim, larger than those so far in this list. */
 static fmb_status read_claim_number(reader *r, const fmb_sparse_vector *list, size_t *out)
 {
     size_t number = 1;
@@ -187,7 +187,7 @@ static fmb_status read_claim_number(reader *r, const fmb_sparse_vector *list, si
     return st;
 }
 
-/* The key of a part, which must be new in this claim. */
+/* Read the key of a part, which must be new in this claim. */
 static fmb_status read_key(reader *r, fmb_claim *c, fmb_form_part part, size_t *out)
 {
     fmb_part_key by = fmb_part_forms[part].key;
@@ -301,7 +301,7 @@ static fmb_status read_count(reader *r)
     return r->words.size > 0 ? fmb_words_expected(&r->words, "the end of the text") : FMB_OK;
 }
 
-/* All that versions 2 to 4 can say means the same now. */
+/* Texts of versions 2 to 4 still have the same meaning. */
 static fmb_status read_version(reader *r)
 {
     FMB_TRY(fmb_words_next(&r->words));
@@ -329,7 +329,7 @@ static fmb_status read_text(reader *r)
                                     r->e->claims);
 }
 
-/* All of the text, with what that needs. */
+/* Read the whole text, with the memory that this needs. */
 static fmb_status read_into(reader *r, FILE *in, const fmb_poll *poll, fmb_where *where)
 {
     bool ready = true;

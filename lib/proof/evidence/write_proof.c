@@ -28,14 +28,14 @@ static void write_name(FILE *out, const char *name)
     fputc('"', out);
 }
 
-/* Too long to be read back. */
+/* Is the number too long to be read back? */
 static bool is_too_long(const mpq_t q)
 {
     size_t digits = mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10);
     return digits + 3 > FMB_PROOF_WORD_MAX;
 }
 
-/* |x| in digits, which end before that. */
+/* Write |x| in digits ending before `end`; returns their start. */
 static char *put_digits(char *end, uint64_t x)
 {
     do
@@ -50,7 +50,7 @@ static void write_count(FILE *out, uint64_t x)
     fwrite(from, 1, (size_t)(end - from), out);
 }
 
-/* False if the number is too long. Most are short, and many. */
+/* Write a number; false if it is too long. There are many numbers, mostly short. */
 static bool write_number(FILE *out, const mpq_t q)
 {
     bool whole = mpz_cmp_ui(mpq_denref(q), 1) == 0;
@@ -77,13 +77,13 @@ static bool has_var(const fmb_evidence *e, int var)
     return var >= 0 && var < e->dim;
 }
 
-/* A variable of the system, or a form in its place. */
+/* Does the claim name a variable of the system, or have terms instead, but not both? */
 static bool names_one_form(const fmb_evidence *e, const fmb_claim *c)
 {
     return c->var == -1 || (has_var(e, c->var) && c->terms.size == 0);
 }
 
-/* False: some there are not. */
+/* Write names of variables; false if some do not exist. */
 static bool write_names(FILE *out, const fmb_evidence *e, const fmb_system *s,
                         const fmb_sparse_vector *list)
 {
@@ -140,7 +140,7 @@ static bool write_part(FILE *out, const fmb_system *s, fmb_form_part part, size_
     return good;
 }
 
-/* All lines of one part. False if it is about what the system does not have. */
+/* Write all lines of one part; false if it refers to something that the system lacks. */
 static bool write_parts(FILE *out, const fmb_evidence *e, const fmb_system *s, fmb_claim *c,
                         fmb_form_part part)
 {
@@ -190,7 +190,7 @@ fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s, FILE *
 
 /* ---- in words -------------------------------------------------------------------------------- */
 
-/* Where claims are told, and how their numbers are. */
+/* Where claims are written in words, and how their numbers are written. */
 typedef struct telling {
     FILE *out;
     const fmb_system *s;
@@ -292,7 +292,7 @@ static void tell_claim(const telling *t, const fmb_claim *c)
         fputs(c->side == FMB_UPPER ? " above" : " below", out);
 }
 
-/* Does the claim name only what the system has? */
+/* Are the row, the variable and the terms of the claim those of the system? */
 static bool is_about(const fmb_evidence *e, const fmb_claim *c)
 {
     fmb_heading heading = fmb_claim_forms[c->kind].heading;
