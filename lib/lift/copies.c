@@ -49,7 +49,7 @@ fmb_status fmb_lift_add_copies(fmb_system *lift, const fmb_system *s, size_t k, 
     return FMB_OK;
 }
 
-/* Numbers are equal, and the names in s distinct: so if each is one of like, all are. */
+/* Counts are equal, and names in s distinct: so if each is in `like`, the names are the same. */
 static fmb_status match_names(fmb_system *lift, const fmb_system *like, const fmb_system *s,
                               size_t k)
 {

@@ -2,10 +2,10 @@
  * lift_private.h.
  *
  * A mean of points x_k of polyhedra A_k x <= b_k with weights t_k is the sum of y_k = t_k x_k, and
- * A_k y_k <= b_k t_k, t_k >= 0, sum t_k = 1. Where t_k is 0, y_k is any direction in which the k-th
- * goes on for ever: as it is not empty, adding such is taking the closure (Balas 1998, theorem 2.1;
- * of an empty one they would be directions of nothing). Rows < are rows <= of the closure, again as
- * none is empty.
+ * A_k y_k <= b_k t_k, t_k >= 0, sum t_k = 1. If t_k is 0, y_k is any direction of the recession
+ * cone of the k-th: as this is not empty, adding them gives the closure (Balas 1998, theorem 2.1;
+ * if it were empty, they would be no directions of it). Rows < become rows <= of the closure, again
+ * as no polyhedron is empty.
  */
 #include <fmb/lift.h>
 
@@ -19,7 +19,7 @@ typedef struct lifted_row {
     int *var;
     mpq_t *coef;
     size_t room, n;
-    mpq_t right; /* 0 until it is set */
+    mpq_t right; /* initially 0 */
 } lifted_row;
 
 static fmb_status open_lifted_row(lifted_row *r, fmb_system *lift, size_t room)
@@ -43,7 +43,7 @@ static mpq_ptr next_term(lifted_row *r, int var)
     return r->coef[r->n++];
 }
 
-/* The terms there are; then there are none. */
+/* Append the row of the present terms, and remove these. */
 static fmb_status append_lifted_row(lifted_row *r, fmb_system *lift, fmb_rel rel)
 {
     fmb_status st = fmb_system_add_q(lift, r->n, r->var, r->coef, rel, r->right);
@@ -70,7 +70,7 @@ static fmb_status append_nonnegative(lifted_row *r, fmb_system *lift, int var)
 
 /* ---- of several polyhedra -------------------------------------------------------------------- */
 
-/* The closures of the rows of s over copy[], their right sides times weight. */
+/* Append the closures of the rows of s over copy[], with right sides times weight. */
 static fmb_status append_weighted_rows(lifted_row *r, fmb_system *lift, const fmb_system *s,
                                        const int *copy, int weight)
 {
@@ -102,7 +102,7 @@ static fmb_status append_weighted_systems(const fmb_lift_copies *c, fmb_system *
     return FMB_OK;
 }
 
-/* Of none this is the row 0 = 1, and so empty. */
+/* For n = 0 this has the row 0 = 1, so it is empty. */
 fmb_status fmb_lift_hull(fmb_system *lift, const fmb_system *like, const fmb_system *const *s,
                          size_t n)
 {
@@ -126,7 +126,7 @@ fmb_status fmb_lift_hull(fmb_system *lift, const fmb_system *like, const fmb_sys
 
 /* ---- of vertices, rays and lines ------------------------------------------------------------- */
 
-/* x_j = the sum of the j-th coordinates, each times the weight of its generator. */
+/* x_j = the sum of the j-th coordinates of the generators, each times its weight. */
 static fmb_status append_coordinate(lifted_row *r, fmb_system *lift, const fmb_generators *g, int j,
                                     const int *weight)
 {
@@ -136,7 +136,7 @@ static fmb_status append_coordinate(lifted_row *r, fmb_system *lift, const fmb_g
     return append_lifted_row(r, lift, FMB_EQ);
 }
 
-/* Weights of vertices first in vertex[]: their sum is 1. */
+/* vertex[] = the weights of vertices, whose sum is 1. */
 static fmb_status append_combination(lifted_row *r, fmb_system *lift, const fmb_generators *g,
                                      const int *weight, int *vertex)
 {

@@ -1,13 +1,13 @@
-/* lift_sum.c: lifts of images and of Minkowski sums: rows side by side, and what ties them; see
+/* lift_sum.c: lifts of images and of Minkowski sums: rows side by side, and linking rows; see
  * lift_private.h.
  *
  * A point y is in the image if some (x, y) is in the graph with x in the polyhedron, and in the sum
- * if it is one of a point of each: the lifts say that, word for word. So strict rows stay strict.
+ * if it is the sum of one point of each: the lifts state exactly this, so strict rows stay strict.
  */
 #include "lift/lift_private.h"
 #include "system/system_private.h"
 
-/* Those of the graph behind the ones that s keeps. */
+/* Add the variables of the graph after those that s keeps. */
 fmb_status fmb_lift_add_answer_of_graph(fmb_system *lift, const fmb_system *s,
                                         const fmb_system *graph)
 {
