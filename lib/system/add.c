@@ -1,8 +1,8 @@
 /* add.c: rows from doubles, machine integers and rationals, one or many.
  *
- * Numbers of any kind come in by the same way. Rows whose variables increase and whose numbers,
- * over their common denominator, are small (num/vec.h) go straight into the words of the row; the
- * others by rationals. Both ways give the same row.
+ * Numbers of all kinds are read by the same functions. Rows whose variables increase and whose
+ * numbers, over their common denominator, are small (num/vec.h) are written directly as words; the
+ * others as rationals. Both methods give the same row.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 #include "system/number_kind.h"
 #include "system/system_private.h"
 
-/* ---- what the caller has --------------------------------------------------------------------- */
+/* ---- data of the caller ---------------------------------------------------------------------- */
 
 typedef struct matrix {
     const fmb_number_kind *kind;
@@ -35,9 +35,9 @@ static int variable_of_term(const matrix *m, size_t i, size_t term)
     return m->var ? m->var[term] : (int)(term - first_term(m, i));
 }
 
-/* ---- what may not be given ------------------------------------------------------------------- */
+/* ---- refused arguments ----------------------------------------------------------------------- */
 
-/* Refuse row i; that there is one is said where there are several. */
+/* Refuse row i, whose number is reported only if there are several rows. */
 __attribute__((format(printf, 4, 5))) static fmb_status
 refuse_in_row(fmb_system *s, const matrix *m, size_t i, const char *format, ...)
 {
@@ -74,7 +74,7 @@ static fmb_status check_given_row(fmb_system *s, const matrix *m, size_t i)
     return wrong ? refuse_in_row(s, m, i, "right side %s", wrong) : st;
 }
 
-/* Where are the rows, before anything of them is looked at? */
+/* Check the starts of rows before any row is read. */
 static fmb_status check_starts(fmb_system *s, const matrix *m)
 {
     size_t all;
@@ -108,14 +108,14 @@ static fmb_status check_matrix(fmb_system *s, const matrix *m)
 
 /* ---- small rows ------------------------------------------------------------------------------ */
 
-/* Room for the longest row. */
+/* Memory for the longest row. */
 typedef struct row_words {
     int *var;
     int64_t *z; /* [most + 2] */
     size_t most;
 } row_words;
 
-/* The least common denominator; false where it is not small. */
+/* Extend the least common denominator; false if it is not small. */
 static bool include_denominator(uint64_t *all, uint64_t d)
 {
     uint64_t most = (uint64_t)1 << FMB_SMALL_BITS;
@@ -124,7 +124,7 @@ static bool include_denominator(uint64_t *all, uint64_t d)
     return d > 0 && !__builtin_mul_overflow(*all, d / fmb_gcd64(*all, d), all) && *all < most;
 }
 
-/* That of row i; false where variables do not increase, or it is not small. */
+/* The least common denominator of row i; false if variables do not increase, or it is not small. */
 static bool find_row_denominator(const matrix *m, size_t i, uint64_t *all)
 {
     int last = -1;
@@ -138,7 +138,7 @@ static bool find_row_denominator(const matrix *m, size_t i, uint64_t *all)
     return small;
 }
 
-/* Row i as words, *n terms of it; false where it has none. */
+/* Row i as words, *n terms of it; false if it is not small. */
 static bool take_small_row(const matrix *m, size_t i, row_words *w, size_t *n)
 {
     uint64_t all;
@@ -161,7 +161,7 @@ static bool is_greater(fmb_rel rel)
     return rel == FMB_GE || rel == FMB_GT;
 }
 
-/* As it is kept. */
+/* The relation as it is stored. */
 static fmb_rel turned(fmb_rel rel)
 {
     return rel == FMB_GE ? FMB_LE : rel == FMB_GT ? FMB_LT : rel;
@@ -169,7 +169,7 @@ static fmb_rel turned(fmb_rel rel)
 
 /* ---- other rows ------------------------------------------------------------------------------ */
 
-/* Rationals of one row on their way in: terms, then the right side. */
+/* Rationals of a row being added: terms, then the right side. */
 typedef struct draft {
     int *var;
     mpq_t *q; /* [capacity + 1] */
@@ -199,8 +199,8 @@ static void draft_clear(draft *d, fmb_mem *mem)
     fmb_mem_put(mem, d->q, d->capacity + 1, sizeof *d->q);
 }
 
-/* Bring the n terms and the right side q[n] over their common denominator and append them, with the
- * other sign if they are to be greater. */
+/* Bring the n terms and the right side q[n] over their common denominator and append them, negated
+ * if the relation is > or >=. */
 static fmb_status draft_append(const draft *d, fmb_system *s, fmb_rel rel)
 {
     mpz_t *z = fmb_vec_block(d->n + 2, &s->mem);

@@ -1,4 +1,4 @@
-/* change.c: rows that leave a system whole, and come back; see system_private.h. */
+/* change.c: removes rows, and puts them back; see system_private.h. */
 #include <string.h>
 
 #include "num/rationals.h"

@@ -1,4 +1,4 @@
-/* compare_rows.c: an order of rows that depends on nothing but what they say. */
+/* compare_rows.c: an order of rows that depends on their contents only. */
 #include "system/system_private.h"
 
 static int compare_sizes(size_t a, size_t b)

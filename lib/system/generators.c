@@ -38,7 +38,7 @@ void fmb_generators_free(fmb_generators *g)
 
 /* ---- one more -------------------------------------------------------------------------------- */
 
-/* Room for one more, which is counted. */
+/* Memory for one more generator, which is counted. */
 static fmb_status open_generator(fmb_generators *g, fmb_generator_kind kind, fmb_vec **out)
 {
     FMB_TRY(FMB_RESERVE(&g->mem, &g->vec, &g->vec_capacity, g->size + 1));
@@ -69,7 +69,7 @@ fmb_status fmb_generators_append(fmb_generators *g, fmb_generator_kind kind, con
     return close_generator(g, fmb_vec_copy(to, v, (size_t)g->dim + 1, &g->mem));
 }
 
-/* z[dim + 1] = x times the least common denominator, which is t of a vertex. */
+/* z[dim + 1] = x times its least common denominator, which is t for a vertex. */
 static void write_common_multiple(const fmb_generators *g, fmb_generator_kind kind, mpq_t *x,
                                   mpz_t *z)
 {

@@ -43,7 +43,7 @@ static double entry_as_double(const fmb_sysrow *r, size_t k)
     return x;
 }
 
-/* Entry k, if it is such an integer. */
+/* Entry k, if it is an integer that fits into int64. */
 static bool entry_as_integer(const fmb_sysrow *r, size_t k, int64_t *out)
 {
     if (is_row_of_integers(r)) {
@@ -95,7 +95,7 @@ static bool has_rows(const fmb_system *s, size_t first, size_t n)
     return s && first <= s->rows && n <= s->rows - first;
 }
 
-/* Where the terms of each row begin, their variables, and the relations. */
+/* The starts of rows, the variables of terms, and the relations. */
 static void get_shape(const fmb_system *s, size_t first, size_t n, size_t *start, int *var,
                       fmb_rel *rel)
 {
@@ -130,7 +130,7 @@ fmb_status fmb_system_get_rows(const fmb_system *s, size_t first, size_t n, size
     return FMB_OK;
 }
 
-/* Do the numbers asked for fit? */
+/* Do the numbers wanted fit? */
 static bool row_fits(const fmb_sysrow *r, bool coef, bool b)
 {
     int64_t z;
@@ -188,7 +188,7 @@ void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b)
 
 /* ---- the objective --------------------------------------------------------------------------- */
 
-/* NULL: there is none. */
+/* The row of the objective; NULL: there is none. */
 static const fmb_sysrow *objective_row(const fmb_system *s)
 {
     return s && s->sense ? &s->objective : NULL;

@@ -1,4 +1,4 @@
-/* join.c: the rows of one system below those of another. */
+/* join.c: appends the rows of one system to another. */
 #include "system/system_private.h"
 
 typedef struct joiner {
@@ -40,7 +40,7 @@ static fmb_status append_copies_of_rows(joiner *j)
     return st;
 }
 
-/* Does every variable of more get a place in s? */
+/* Is the place in s of every variable of more valid? */
 static fmb_status check_map(fmb_system *s, const fmb_system *more, const int *var)
 {
     int dim = fmb_system_dim(s), most = fmb_system_dim(more);

@@ -3,7 +3,7 @@
 
 #include "base/arrays.h"
 
-/* What is handed out, with what it takes to free it. */
+/* The public object, with the data needed to free it. */
 typedef struct owned_matrix {
     fmb_matrix shown;
     fmb_mem mem;

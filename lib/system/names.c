@@ -12,7 +12,7 @@ static size_t hash(const char *s)
     return (size_t)(h ^ h >> 29);
 }
 
-/* The slot that holds name, or the free slot where it would go. */
+/* The slot of name, or the free slot for it. */
 static size_t slot_of(const fmb_names *t, const char *name)
 {
     size_t i = hash(name) & (t->slots - 1);

@@ -100,7 +100,7 @@ static bool is_word(mpz_srcptr z)
     return mpz_sizeinbase(z, 2) <= FMB_SMALL_BITS;
 }
 
-/* Not of one that is not in lowest terms. */
+/* 0 also for a number that is not in lowest terms. */
 static uint64_t rational_denominator(const void *numbers, size_t i)
 {
     mpq_srcptr q = ((const mpq_t *)numbers)[i];
@@ -123,8 +123,8 @@ static bool multiply_rational(const void *numbers, size_t i, uint64_t factor, in
     return !__builtin_mul_overflow(z, (int64_t)factor, out) && is_small(*out);
 }
 
-/* GMP needs lowest terms over a positive denominator even to copy; the caller may have written
- * otherwise. */
+/* GMP needs lowest terms and a positive denominator even for copying; the caller's numbers may lack
+ * both. */
 static void get_rational(mpq_t q, const void *numbers, size_t i)
 {
     mpq_srcptr from = ((const mpq_t *)numbers)[i];

@@ -1,5 +1,5 @@
-/* objective.c: the linear form that a system may carry. It is kept as a row whose right side is the
- * constant, so what makes rows makes it, too.
+/* objective.c: the linear form that a system may carry. It is stored as a row whose right side is
+ * the constant, so the functions for rows make it, too.
  */
 #include <math.h>
 
@@ -12,14 +12,14 @@ static fmb_status expect_sense(fmb_system *s, fmb_sense sense)
                : fmb_system_refuse(s, "sense %d is none", (int)sense);
 }
 
-/* A form in doubles. */
+/* Check a form in doubles. */
 static fmb_status expect_form(fmb_system *s, fmb_sense sense, double constant)
 {
     FMB_TRY(expect_sense(s, sense));
     return !isfinite(constant) ? fmb_system_refuse(s, "constant is %g", constant) : FMB_OK;
 }
 
-/* A row was appended to be the objective. */
+/* Make the last row the objective. */
 static fmb_status turn_last_row_into_objective(fmb_system *s, fmb_sense sense)
 {
     fmb_system_drop_objective(s);

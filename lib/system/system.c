@@ -7,7 +7,7 @@
 
 static fmb_status add_default_name(fmb_system *s);
 
-/* ---- what was wrong -------------------------------------------------------------------------- */
+/* ---- error messages ------------------------------------------------------------------------- */
 
 fmb_status fmb_system_refuse(fmb_system *s, const char *format, ...)
 {
@@ -102,7 +102,7 @@ static fmb_status add_name(fmb_system *s, const char *name)
     return FMB_OK;
 }
 
-/* "x<number>", without the cost of a format: short questions ask for many names. How long it is. */
+/* Write "x<number>", faster than printf, as short queries need many names; returns its length. */
 static int write_default_name(char *name, size_t number)
 {
     int digits = 1;
@@ -115,7 +115,7 @@ static int write_default_name(char *name, size_t number)
     return digits + 1;
 }
 
-/* That name, with underscores behind it while it is taken. */
+/* Add a variable of that name, with underscores appended while the name is taken. */
 static fmb_status add_default_name(fmb_system *s)
 {
     char name[64];
@@ -127,7 +127,7 @@ static fmb_status add_default_name(fmb_system *s)
     return add_name(s, name);
 }
 
-/* May variable j (-1: a new one) be called that? */
+/* Is the name allowed for variable j (-1: a new one)? */
 static fmb_status check_name(fmb_system *s, int j, const char *name)
 {
     if (!name || !*name)
@@ -238,7 +238,7 @@ fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label)
     return FMB_OK;
 }
 
-/* Room for a row of n terms, not yet counted in s->rows, whose variables the caller writes. */
+/* Memory for a row of n terms, not yet counted in s->rows, whose variables the caller writes. */
 static fmb_status open_row(fmb_system *s, size_t n, fmb_rel rel, fmb_sysrow **out)
 {
     FMB_TRY(FMB_RESERVE(&s->mem, &s->row, &s->row_capacity, s->rows + 1));
@@ -255,7 +255,7 @@ static fmb_status open_row(fmb_system *s, size_t n, fmb_rel rel, fmb_sysrow **ou
     return FMB_OK;
 }
 
-/* The same, and its variables. */
+/* The same with the variables copied. */
 static fmb_status open_row_of(fmb_system *s, size_t n, const int *var, fmb_rel rel,
                               fmb_sysrow **out)
 {
@@ -276,7 +276,7 @@ fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, 
     return st;
 }
 
-/* Entry j of dense[n + 1], or its right side, and the denominator behind it. */
+/* Copy the nonzero entries and the right side of dense[n + 1], then the denominator. */
 static fmb_status copy_wide_entries(fmb_system *s, fmb_sysrow *r, size_t n, const fmb_vec *dense)
 {
     size_t terms = 0;
@@ -365,7 +365,7 @@ fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from)
     return st;
 }
 
-/* Variables, names and marks of s onto the empty t. */
+/* Copy variables, names and marks of s to the empty t. */
 static fmb_status copy_variables(fmb_system *t, const fmb_system *s)
 {
     for (int j = 0; j < fmb_system_dim(s); j++) {
@@ -376,7 +376,7 @@ static fmb_status copy_variables(fmb_system *t, const fmb_system *s)
     return FMB_OK;
 }
 
-/* The objective of s onto t, which has no rows yet. */
+/* Copy the objective of s to t, which has no rows yet. */
 static fmb_status copy_objective(fmb_system *t, const fmb_system *s)
 {
     if (s->sense == FMB_SENSE_NONE)
