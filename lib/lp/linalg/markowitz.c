@@ -22,7 +22,7 @@ static fmb_status open_strips(fmb_strips *l, fmb_arena *arena, size_t size, size
     return st;
 }
 
-/* Room for `more` entries at the end of list i: a list that is too short moves to the end. */
+/* Make room for `more` entries in list i: a list without room moves to the end of the pool. */
 static fmb_status reserve_list(fmb_strips *l, fmb_arena *arena, int i, int more)
 {
     if (l->size[i] + more <= l->room[i])
@@ -44,7 +44,7 @@ static fmb_status reserve_list(fmb_strips *l, fmb_arena *arena, int i, int more)
     return FMB_OK;
 }
 
-/* Looked for from the end: of lines of equal length, buckets hand out the last first. */
+/* The search starts at the end, as buckets return the last of lines of equal length first. */
 static void drop_from_list(fmb_strips *l, int i, int entry)
 {
     int *e = l->entry + l->start[i], k = --l->size[i], last = e[k];
@@ -106,7 +106,7 @@ fmb_status fmb_markowitz_open(fmb_markowitz *u, fmb_run *run, fmb_arena *arena,
     return FMB_OK;
 }
 
-/* The columns' lists from the rows', and all buckets. */
+/* Build the columns' lists from the rows', and all buckets. */
 void fmb_markowitz_begin(fmb_markowitz *u)
 {
     fmb_strips *row = &u->row, *column = &u->column;
@@ -141,7 +141,7 @@ void fmb_markowitz_begin(fmb_markowitz *u)
 
 typedef struct choice {
     int row, column, tried;
-    int64_t cost; /* entries that can be new */
+    int64_t cost; /* bound on new entries */
 } choice;
 
 static void try_pivot(const fmb_markowitz *u, int i, int j, choice *best)
@@ -151,7 +151,7 @@ static void try_pivot(const fmb_markowitz *u, int i, int j, choice *best)
         *best = (choice){i, j, best->tried, cost};
 }
 
-/* False: the row vanishes. */
+/* Try the pivots of row i. False: the row vanishes. */
 static bool try_pivots_of_row(const fmb_markowitz *u, int i, choice *best)
 {
     const int *e = u->row.entry + u->row.start[i];
@@ -172,7 +172,7 @@ static size_t find_in_row(const fmb_markowitz *u, int i, int j)
     return t;
 }
 
-/* Where numbers may be too small, entries that are alone in their columns. */
+/* Try the pivots of column j; if numbers may be too small, only entries alone in their columns. */
 static void try_pivots_of_column(const fmb_markowitz *u, int j, choice *best)
 {
     const int *e = u->column.entry + u->column.start[j];
@@ -185,7 +185,7 @@ static void try_pivots_of_column(const fmb_markowitz *u, int j, choice *best)
     best->tried++;
 }
 
-/* No active row has entries in columns any more that a row has given up. */
+/* Give up row i: no active row has entries in its columns any more. */
 static void give_row_up(fmb_markowitz *u, int i)
 {
     const int *e = u->row.entry + u->row.start[i];
@@ -199,7 +199,7 @@ static void give_row_up(fmb_markowitz *u, int i)
     u->row.size[i] = 0;
 }
 
-/* No line with `count` entries or more can do better than (count - 1)^2. False: nothing is left. */
+/* A line with `count` entries or more costs at least (count - 1)^2. False: no pivot is left. */
 static bool choose_pivot(fmb_markowitz *u, choice *best)
 {
     *best = (choice){-1, -1, 0, INT64_MAX};
@@ -226,7 +226,7 @@ static bool choose_pivot(fmb_markowitz *u, choice *best)
 
 /* ---- one pivot ------------------------------------------------------------------------------- */
 
-/* The pivot moves to the front of its row; both leave the active part. */
+/* Move the pivot to the front of its row; its row and column leave the active part. */
 static void take_pivot_out(fmb_markowitz *u, int r, int c)
 {
     fmb_strips *row = &u->row, *column = &u->column;
@@ -259,7 +259,7 @@ static fmb_status note_multiplier(fmb_markowitz *u, int i, fmb_number value)
     return FMB_OK;
 }
 
-/* Take entry t out of row i. */
+/* Remove entry t from row i. */
 static void drop_row_entry(fmb_markowitz *u, int i, size_t t)
 {
     size_t end = u->row.start[i] + (size_t)--u->row.size[i];
@@ -268,8 +268,8 @@ static void drop_row_entry(fmb_markowitz *u, int i, size_t t)
     u->entries--;
 }
 
-/* Entries of the pivot row r that row i lacks become entries of it, 0 at first; met[k] is where
- * row i has what is at place k of row r. */
+/* Add the entries of pivot row r that row i lacks, 0 at first; met[k] is where row i has the column
+ * of place k of row r. */
 static fmb_status meet_pivot_row(fmb_markowitz *u, int i, int r)
 {
     fmb_strips *row = &u->row;

@@ -32,7 +32,7 @@ void fmb_program_clear(fmb_program *p)
     fmb_program_init(p, p->mem, p->n);
 }
 
-/* Room for one more row. */
+/* Memory for one more row. */
 static fmb_status reserve_row(fmb_program *p)
 {
     size_t old = p->own_capacity;
@@ -69,7 +69,7 @@ static fmb_status make_room_for_held(fmb_program *p)
     return p->own ? FMB_OK : fmb_mem_status(p->mem);
 }
 
-/* A row of `size` terms and room for its value, small zeros; *value is where to write them. */
+/* Add a row of `size` terms with memory for its value, small zeros, to be written to *value. */
 static fmb_status add_held_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec **value)
 {
     FMB_TRY(make_room_for_held(p));
@@ -91,7 +91,7 @@ static fmb_status add_held_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec
     return FMB_OK;
 }
 
-/* The last row goes again. */
+/* Remove the last row. */
 static void drop_last_row(fmb_program *p)
 {
     size_t i = p->m - 1, size = p->row[i].size;
@@ -103,7 +103,7 @@ static void drop_last_row(fmb_program *p)
     p->terms -= size;
 }
 
-/* The last row was filled in with that status. */
+/* Keep the last row, which was filled in with that status, or remove it after an error. */
 static fmb_status finish_held_row(fmb_program *p, fmb_vec *v, fmb_status st)
 {
     size_t entries = p->row[p->m - 1].size + 1;

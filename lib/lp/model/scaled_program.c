@@ -7,9 +7,9 @@
 
 #include "base/arrays.h"
 
-/* Right sides beyond are that, or they would drown all others. */
+/* Right sides are limited to this, or they would dwarf all others. */
 #define FAR_AWAY 1e60
-/* Columns are scaled where coefficients of the scaled rows are less than 2^-WIDE. */
+/* Columns are scaled if coefficients of the scaled rows are less than 2^-WIDE. */
 #define WIDE   7
 #define PASSES 4
 
@@ -40,7 +40,7 @@ static double split_wide(const fmb_vec *v, size_t k, int *exponent)
     return fraction;
 }
 
-/* Term k of the row as it is, divided by two to the power of e. */
+/* Term k of the unscaled row, divided by 2^e. */
 static double term_divided(const fmb_program_row *row, size_t k, int e)
 {
     int own = 0;
@@ -53,7 +53,7 @@ static double right_side_divided(const fmb_program_row *row, int e)
     return fmax(-FAR_AWAY, fmin(FAR_AWAY, term_divided(row, row->size, e)));
 }
 
-/* The terms of row i, and the row to what fits; the exponent of the row is e at first. */
+/* Scale the terms of row i so that its largest fits; its exponent is e before, the result after. */
 static int divide_by_largest(const fmb_scaled_program *f, size_t i, int e)
 {
     double *value = &f->value[f->start[i]], largest = 0;
@@ -67,7 +67,7 @@ static int divide_by_largest(const fmb_scaled_program *f, size_t i, int e)
     return e + more;
 }
 
-/* Columns are scaled first: what is lost below the least double before that would be gone. */
+/* Columns are scaled first: terms that underflowed before that would be lost. */
 static int load_wide_terms(const fmb_scaled_program *f, const fmb_program_row *row, double *value)
 {
     int most = INT_MIN, e;
@@ -81,7 +81,7 @@ static int load_wide_terms(const fmb_scaled_program *f, const fmb_program_row *r
     return row->size > 0 ? most : 0;
 }
 
-/* Terms and right side of row i. */
+/* Write the terms and the right side of row i. */
 static void load_real_row(fmb_scaled_program *f, size_t i)
 {
     const fmb_program_row *row = &f->p->row[i];
@@ -92,7 +92,7 @@ static void load_real_row(fmb_scaled_program *f, size_t i)
     for (size_t k = 0; !row->value->z && k < row->size; k++) {
         int of_column = f->column_exponent[row->column[k]];
         value[k] = (double)row->value->s[k];
-        if (of_column != 0) /* which is seldom, and a call takes longer than all else */
+        if (of_column != 0) /* rarely, and a call takes longer than all else */
             value[k] = ldexp(value[k], -of_column);
     }
     f->exponent[i] = divide_by_largest(f, i, e);
@@ -111,7 +111,7 @@ static double find_least_coefficient(const fmb_scaled_program *f)
     return least;
 }
 
-/* Of term k of row i, in the unit of the row. */
+/* The exponent of term k of row i, relative to that of the row. */
 static int exponent_of_term(const fmb_scaled_program *f, size_t i, size_t k)
 {
     const fmb_program_row *row = &f->p->row[i];
@@ -122,7 +122,7 @@ static int exponent_of_term(const fmb_scaled_program *f, size_t i, size_t k)
     return own - f->exponent[i];
 }
 
-/* Rows, then columns, in turn: the mean of the exponents becomes 0. sum and count are scratch. */
+/* Alternately for rows and columns, make the mean of the exponents 0. sum and count are scratch. */
 static void average_exponents(const fmb_scaled_program *f, int *of_row, int *of_column, int *sum,
                               int *count)
 {
@@ -145,7 +145,7 @@ static void average_exponents(const fmb_scaled_program *f, int *of_row, int *of_
         of_column[j] = count[j] > 0 ? sum[j] / count[j] : 0;
 }
 
-/* Exponents of the columns, and rows to match. */
+/* Compute the exponents of the columns, and matching ones of rows. */
 static fmb_status scale_columns(fmb_scaled_program *f)
 {
     fmb_mem *mem = f->run->mem;
@@ -170,7 +170,7 @@ static fmb_status reserve_real_rows(fmb_scaled_program *f, size_t m, size_t term
 {
     fmb_mem *mem = f->run->mem;
     FMB_TRY(FMB_RESERVE(mem, &f->start, &f->start_room, m + 1));
-    /* One more: a row of no terms has a place, too. */
+    /* One more, as a row without terms has a place, too. */
     FMB_TRY(FMB_RESERVE(mem, &f->value, &f->value_room, terms + 1));
     FMB_TRY(FMB_RESERVE(mem, &f->right, &f->right_room, m));
     FMB_TRY(FMB_RESERVE(mem, &f->exponent, &f->exponent_room, m));

@@ -1,12 +1,12 @@
-/* closure.c: the closure of a program, all rows <= or =: guess, certify, and if need be walk on;
- * see oracle.h. */
+/* closure.c: the closure of a program, with all rows <= or =: guess, certify, and if necessary
+ * pivot on; see oracle.h. */
 #include <math.h>
 #include <string.h>
 
 #include "base/ways.h"
 #include "lp/oracle/oracle_state.h"
 
-/* Exact pivots between two refinements of a guess, and how many of those there are. */
+/* Exact pivots between two refinements of a guess, and the number of refinements. */
 #define FEW_STEPS   4
 #define REFINEMENTS 6
 /* The same on the way to an optimum. */
@@ -26,7 +26,7 @@ fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out)
     o->hint = fmb_mem_get(mem, n, sizeof *o->hint);
     o->price = fmb_mem_get(mem, n, sizeof *o->price);
     fmb_status st = o->hint && o->price ? FMB_OK : fmb_mem_status(mem);
-    o->v.run = run; /* whatever fails, all of it can be cleared */
+    o->v.run = run; /* so that it can be cleared after any error */
     o->w.v = &o->v;
     *out = o;
     FMB_THEN(st, fmb_integers_init(&o->cost, n, mem));
@@ -54,7 +54,7 @@ void fmb_oracle_free(fmb_oracle *o)
     fmb_mem_put(mem, o, 1, sizeof *o);
 }
 
-/* The backend and the vertex are made when they are needed: the origin may do. */
+/* Make the backend and the vertex when they are needed: the origin may be a solution. */
 static fmb_status need_backend(fmb_oracle *o)
 {
     if (o->backend)
@@ -84,8 +84,8 @@ static fmb_status take_vertex(fmb_oracle *o)
     return fmb_integers_settle(&o->point, o->run->mem);
 }
 
-/* Ask the backend again from the basis at hand, by iterative refinement: right sides are what is
- * left of them at the exact vertex, times `scale`. */
+/* Repeat the backend's search from the current basis, by iterative refinement: right sides are the
+ * slacks at the exact vertex, times `scale`. */
 static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
 {
     fmb_vertex *v = &o->v;
@@ -101,9 +101,9 @@ static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
     return st;
 }
 
-/* Does the basis at hand contradict row h->odd? Where numbers are long, its prices are solved for
- * only when somebody wants them; and doubles look twice before that, as what long numbers say may
- * hang on their last digits. */
+/* Does the current basis contradict row h->odd? With long numbers its prices are computed only when
+ * they are read; and doubles search again with the tightest tolerances first, since with long
+ * numbers the answer may depend on the last digits. */
 static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end)
 {
     bool sure = false;
@@ -128,8 +128,8 @@ static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *e
     return FMB_OK;
 }
 
-/* From the basis at hand: a few exact pivots, then a finer guess, and so on; in the end as many
- * pivots as it takes. */
+/* From the current basis: a few exact pivots, then a refined guess, and so on; finally as many
+ * pivots as necessary. */
 static fmb_status reach_feasible(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
@@ -156,7 +156,7 @@ fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h)
     return fmb_backend_search(o->backend, o->leans ? o->lean : NULL, h);
 }
 
-/* The closure of the rows: a vertex or a conflict. */
+/* Certify the guess for the closure of the rows: a vertex or a conflict. */
 fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end)
 {
     *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
@@ -189,7 +189,7 @@ static fmb_status take_cost(fmb_oracle *o, const fmb_weights *cost)
     return fmb_integers_settle(&o->cost, o->run->mem);
 }
 
-/* The price of place r, by the size of its row. */
+/* The price of place r, times the largest coefficient of its row. */
 static double weigh_place(const fmb_oracle *o, size_t r)
 {
     const fmb_vertex *v = &o->v;
@@ -212,9 +212,9 @@ static void add_place_to_price(fmb_oracle *o, size_t r, double part)
             o->price[row->column[k]] += part * fmb_program_double(v->p, v->basis[r], k);
 }
 
-/* Ask the backend again from the basis at hand, whose prices these are, by iterative refinement:
- * the largest price that is not allowed counts 1, and those that are allowed no more than that.
- * What they say beside the others is below what doubles see. */
+/* Repeat the backend's maximization from the current basis, whose prices are known, by iterative
+ * refinement: the largest price that is not allowed is scaled to 1, and allowed ones to at most 1.
+ * Any larger difference between them exceeds the precision of doubles. */
 static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
 {
     fmb_vertex *v = &o->v;
@@ -233,15 +233,15 @@ static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
     return fmb_vertex_set(v, o->hint);
 }
 
-/* Where exact pivots were taken, the backend goes on from where they ended. */
+/* If exact pivots were made, let the backend continue from their last basis. */
 static void let_backend_follow(fmb_oracle *o, uint64_t pivots, fmb_pivot_walk_end end)
 {
     if (end == FMB_PIVOT_WALK_REACHED && o->run->stats.pivots != pivots)
         fmb_backend_place(o->backend, o->v.basis);
 }
 
-/* The vertex at hand, which satisfies all rows, is the point from here on if its cost.x is larger:
- * where a limit ends the climb, that much was reached. */
+/* Make the current vertex, which satisfies all rows, the point if its cost.x is larger: if a limit
+ * ends the climb, it is the best point reached. */
 static fmb_status keep_better_vertex(fmb_oracle *o)
 {
     mpz_t here, there;
@@ -274,7 +274,7 @@ static fmb_status climb_with_refinements(fmb_oracle *o, fmb_pivot_walk_end *end)
     return FMB_OK;
 }
 
-/* Where does the backend lead to? */
+/* The backend's guess of the optimum. */
 static fmb_status guess_optimum(fmb_oracle *o, const fmb_weights *cost, fmb_hint *h)
 {
     *h = (fmb_hint){.basis = o->hint};

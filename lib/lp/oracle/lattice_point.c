@@ -1,26 +1,26 @@
-/* lattice_point.c: solutions on a grid, for which nothing is solved exactly.
+/* lattice_point.c: solutions on a grid, found without solving anything exactly.
  *
  * Theorem. If a_i.x <= b_i - g |a_i|_1 for every row, x may be rounded to multiples of g: that
  * changes a_i.x by g/2 |a_i|_1 at most, so the rows hold, and strict ones strictly. (Coordinates
  * may have grids of their own: then g |a_i|_1 is the sum of g_j |a_ij|.)
  *
- * Such an x is a vertex of rows that are moved in, which doubles find from the vertex at hand, most
- * often in a few pivots. Its numbers are as short as the grid is coarse, where those of a vertex
- * are determinants. Doubles guess; the rows as they are given decide.
+ * Such an x is a vertex of rows with lowered right sides, which doubles find from the current
+ * vertex, mostly in a few pivots. Its numbers are as short as the grid is coarse, while those of a
+ * vertex are determinants. Doubles guess; the given rows decide.
  */
 #include <math.h>
 
 #include "lp/oracle/oracle_state.h"
 
-/* Grids of 2^-fine: the coarsest for which rows are moved in, how much finer the next one is, and
- * the finest. */
+/* Grids of 2^-fine: the coarsest for which right sides are lowered, the difference to the next one,
+ * and the finest. */
 #define COARSE 10
 #define FINER  20
 #define FINEST 30
-/* On the way to a grid, coarser ones are tried, so much apart. */
+/* Coarser grids are tried before a grid, with this difference. */
 #define STRIDE 5
 
-/* The guess, rounded: to integers first. */
+/* Try the guess rounded to coarser grids first, beginning with integers. */
 static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
 {
     for (int fine = 0; !*found && fine <= finest; fine += STRIDE) {
@@ -31,7 +31,7 @@ static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
     return fmb_integers_settle(&o->point, o->run->mem);
 }
 
-/* Twice as far as the theorem asks for: doubles take rows for satisfied that are not quite. */
+/* Lowered twice as much as the theorem requires: doubles accept rows that are violated a little. */
 static fmb_status move_in_and_search(fmb_oracle *o, int fine, fmb_hint *h, bool *found)
 {
     fmb_backend_move_in(o->backend, ldexp(1, -fine));

@@ -1,4 +1,4 @@
-/* oracle_ask.c: what an oracle is asked: what is plain, then the closure, then strict rows; see
+/* oracle_ask.c: the queries of an oracle: simple cases, then the closure, then strict rows; see
  * oracle.h.
  */
 #include <string.h>
@@ -26,7 +26,7 @@ static void take_origin(fmb_oracle *o)
     mpz_set_ui(o->point_den, 1);
 }
 
-/* Is the point found last, before rows changed, a solution still? Not asked if nothing was found.
+/* Is the last point found, before rows changed, still a solution? Skipped if there is none.
  */
 static fmb_status try_last_point(fmb_oracle *o, bool *holds)
 {
@@ -41,7 +41,7 @@ void fmb_oracle_expect_tight_rows(fmb_oracle *o, bool tight)
     o->tight = tight;
 }
 
-/* A point strictly inside, or a conflict. */
+/* Find a point, strictly inside of strict rows, or a conflict. */
 static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
 {
     fmb_pivot_walk_end end;
@@ -101,8 +101,8 @@ bool fmb_oracle_has_solution(const fmb_oracle *o)
 
 /* ---- how far does it go ---------------------------------------------------------------------- */
 
-/* The optimum's vertex satisfies the closure of all rows: does a solution reach it? Not if a row
- * that counts in the proof is strict. */
+/* The optimal vertex satisfies the closure of all rows: does a solution attain the optimum? Not if
+ * a row with a nonzero multiplier in the proof is strict. */
 static fmb_status find_whether_attained(fmb_oracle *o, bool *attained)
 {
     fmb_vertex *v = &o->v;

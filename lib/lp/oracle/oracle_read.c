@@ -1,4 +1,4 @@
-/* oracle_read.c: what an oracle has found, as rationals; see oracle.h. */
+/* oracle_read.c: the answers of an oracle as rationals; see oracle.h. */
 #include "lp/oracle/oracle_state.h"
 
 #include "num/gcd.h"
@@ -10,7 +10,7 @@ static fmb_status set_ratio(const fmb_oracle *o, mpq_t to, const mpz_t num, cons
     return fmb_long_divide(to, den, &poll);
 }
 
-/* Is q = num / den already? Two products tell sooner than a greatest common divisor. */
+/* Is q = num / den already? Two products are faster than a greatest common divisor. */
 static bool is_ratio(const mpq_t q, const mpz_t num, const mpz_t den)
 {
     if (mpz_sgn(num) == 0 || mpz_sgn(num) != mpq_sgn(q))
@@ -94,7 +94,7 @@ fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w)
     return st;
 }
 
-/* sum_r y_r b_r over the unit of prices and that of the cost. */
+/* sum_r y_r b_r, divided by the units of the prices and of the cost. */
 fmb_status fmb_oracle_value(const fmb_oracle *o, mpq_t value)
 {
     const fmb_vertex *v = &o->v;
@@ -116,7 +116,7 @@ fmb_status fmb_oracle_value(const fmb_oracle *o, mpq_t value)
     return st;
 }
 
-/* sign a_odd - sum_r y_r a_r = 0, and so on the right side, which is negative. */
+/* sign a_odd - sum_r y_r a_r = 0, and the same combination of right sides is negative. */
 fmb_status fmb_oracle_conflict(fmb_oracle *o, fmb_weights *w)
 {
     mpq_t one;

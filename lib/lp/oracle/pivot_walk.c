@@ -1,7 +1,7 @@
 /* pivot_walk.c: exact pivots; see pivot_walk.h. */
 #include "lp/oracle/pivot_walk.h"
 
-/* Steps after which the least index decides. */
+/* Steps after which Bland's rule, the least index, is used. */
 #define PATIENCE(v) (50 + (v)->n / 4)
 
 fmb_status fmb_pivot_walk_init(fmb_pivot_walk *w, fmb_vertex *v)
@@ -45,8 +45,8 @@ bool fmb_pivot_walk_is_price_allowed(const fmb_vertex *v, size_t r, int sign)
                                                      : s == sign);
 }
 
-/* Of places whose price is not allowed: what nothing demands first, then the largest price, or
- * (least) the least row. SIZE_MAX: all are allowed. */
+/* A place to leave, among those whose price is not allowed: first units and rows that are off, then
+ * the largest price, or (least) the least row. SIZE_MAX: all are allowed. */
 static size_t find_place_to_leave(const fmb_vertex *v, int sign, bool least)
 {
     size_t best = SIZE_MAX;
@@ -67,8 +67,8 @@ static size_t find_place_to_leave(const fmb_vertex *v, int sign, bool least)
     return best;
 }
 
-/* Sign of sign * b_row - sum_r y_r b_r / unit, y being the prices of sign * a_row: what the
- * combination leaves on the right. */
+/* Sign of sign * b_row - sum_r y_r b_r / unit, y being the prices of sign * a_row: the right side
+ * of the combination. */
 static int sign_of_remainder(fmb_pivot_walk *w, size_t row, int sign)
 {
     const fmb_vertex *v = w->v;
@@ -85,7 +85,7 @@ static int sign_of_remainder(fmb_pivot_walk *w, size_t row, int sign)
     return mpz_sgn(w->num);
 }
 
-/* Its prices are at hand. */
+/* Note a conflict whose prices are known. */
 static void note_conflict(fmb_pivot_walk *w, size_t odd, int sign, fmb_pivot_walk_end *end)
 {
     w->odd = odd;
@@ -117,7 +117,7 @@ fmb_status fmb_pivot_walk_price_conflict(fmb_pivot_walk *w)
     return st;
 }
 
-/* Row `row` is violated by sign: a place of the basis makes room for it, or there is a conflict. */
+/* Make row `row`, violated with this sign, hold by a pivot; otherwise there is a conflict. */
 static fmb_status make_row_hold(fmb_pivot_walk *w, size_t row, int sign, bool least,
                                 fmb_pivot_walk_end *end)
 {
@@ -160,8 +160,8 @@ static int slope_of_row(fmb_pivot_walk *w, size_t i)
     return mpz_sgn(w->num);
 }
 
-/* Is the slack of row i over its slope, just computed, less than the least so far? It becomes that
- * then. */
+/* Is the slack of row i over its slope, just computed, less than the least one so far? If so, it
+ * becomes the least. */
 static bool blocks_sooner(fmb_pivot_walk *w, size_t i, bool any)
 {
     fmb_vertex *v = w->v;
@@ -181,8 +181,8 @@ static bool blocks_sooner(fmb_pivot_walk *w, size_t i, bool any)
     return true;
 }
 
-/* The row that first stops the ray, the least of equals; SIZE_MAX if none does. Equalities that do
- * not stand in the basis stop it at once. */
+/* The row that first stops the ray, of equal ones the least; SIZE_MAX if none does. Equalities
+ * outside of the basis stop it at once. */
 static fmb_status find_blocking_row(fmb_pivot_walk *w, size_t *block)
 {
     const fmb_vertex *v = w->v;
@@ -203,7 +203,7 @@ static fmb_status find_blocking_row(fmb_pivot_walk *w, size_t *block)
     return FMB_OK;
 }
 
-/* Leave place r so that cost.x rises: its price says which way. */
+/* Leave place r in the direction in which cost.x increases, by the sign of its price. */
 static fmb_status leave_place(fmb_pivot_walk *w, size_t r, size_t *block)
 {
     fmb_vertex *v = w->v;

@@ -1,20 +1,20 @@
 /* refined_farkas.c: see refined_farkas.h.
  *
  * Theorem. Let B be square, R any matrix and H = I - B R with |H| <= 1/2, |H| being the largest sum
- * of a row's sizes. Then B is regular; and if y' B = c - rest, the y with y B = c differs from y'
- * in no entry by more than 2 |rest R|_1.
+ * of a row's absolute values. Then B is regular; and if y' B = c - rest, the y with y B = c differs
+ * from y' in no entry by more than 2 |rest R|_1.
  *
  * Proof. |z H|_1 <= |z|_1 |H|, so I - H = B R has the inverse I + H + H^2 + ..., and y - y' = rest
- * B^-1 = rest R (I - H)^-1 is of size |rest R|_1 / (1 - |H|) at most.
+ * B^-1 = rest R (I - H)^-1 has a norm of at most |rest R|_1 / (1 - |H|).
  *
  * R is an inverse in doubles, and |H| is bounded with their rounding errors. y' are integers over
- * 2^places, so `rest` is known exactly; and rest R, in doubles, says how to correct y', some more
+ * 2^places, so `rest` is known exactly; and rest R, in doubles, gives a correction of y', some more
  * places at a time (iterative refinement: Wan 2006, see factor.h). Once the bound is less than each
- * |y'_r|, the signs are known, and so is that of what the combination leaves on the right. Rows are
- * divided by powers of two, so that doubles hold them.
+ * |y'_r|, the signs are known, and so is that of the combined right side. Rows are divided by
+ * powers of two, so that they fit into doubles.
  *
- * Rows whose multiplier is 0 cannot be told so in this way. They are left out, with the columns
- * that no row then names: if as many rows as columns are left, that is B.
+ * Zero multipliers cannot be recognized in this way. Their rows are left out, and the columns
+ * without entries in the others: if equally many rows and columns remain, they form B.
  */
 #include "lp/oracle/refined_farkas.h"
 
@@ -24,26 +24,26 @@
 #include "base/arrays.h"
 
 #define MOST_UNKNOWNS 256
-/* Places of y' that each correction brings, and how many there are. */
+/* Places of y' that each correction gains, and the number of corrections. */
 #define PLACES      32
 #define CORRECTIONS 8
-/* Multipliers that are less, beside the largest, are taken for 0. */
+/* Multipliers below this, relative to the largest, count as 0. */
 #define NO_MULTIPLIER 1e-11
-/* A bound of doubles that were added up, all of one sign, is made safe by this. */
+/* Factor that makes a bound, a sum of doubles of one sign, safe. */
 #define SAFE 1.01
-/* Less than this is not told from what underflowed. */
+/* Smaller numbers cannot be distinguished from underflow. */
 #define LEAST 0x1p-1000
 
 typedef struct refinement {
     const fmb_vertex *v;
     size_t odd, n, size;
     size_t *place, *column;   /* [size] places of the basis, and columns */
-    size_t *at;               /* [n] where a column stands */
-    int *exponent;            /* [size] rows are divided by two to that power */
+    size_t *at;               /* [n] the place of a column */
+    int *exponent;            /* [size] rows are divided by 2^exponent */
     int odd_exponent, unit;   /* unit: the largest exponent */
     double *matrix, *inverse; /* [size][size] B and R */
     double *c, *y, *rest;     /* [size]; y: scratch */
-    double *reach;            /* [size] sums of sizes of the rows of R */
+    double *reach;            /* [size] sums of absolute values in rows of R */
     bool *is_nonzero;         /* [n] scratch */
     fmb_integers multiplier;  /* [size] y', in units of 2^-places */
     fmb_integers left;        /* [size] rest, in units of 2^-(places + unit) */
@@ -89,8 +89,8 @@ static void close_refinement(refinement *t)
 
 /* ---- B and its inverse ----------------------------------------------------------------------- */
 
-/* Coefficient k of a row, k == size: its right side, from 1/2 to 1 and a power of two; off by a
- * factor of 1 +- 2^-52. */
+/* Coefficient k of a row, k == size: its right side, as a number from 1/2 to 1 times a power of
+ * two, up to a factor of 1 +- 2^-52. */
 static double split_coefficient(const refinement *t, size_t row, size_t k, int *exponent)
 {
     const fmb_vec *v = t->v->p->row[row].value;
@@ -112,7 +112,7 @@ static int find_row_exponent(const refinement *t, size_t row)
     return most;
 }
 
-/* to[size]: a row, divided by two to that power; *exponent. */
+/* to[size] = a row divided by 2^exponent. */
 static void write_row(const refinement *t, size_t row, int *exponent, double *to)
 {
     const fmb_program_row *r = &t->v->p->row[row];
@@ -163,7 +163,7 @@ static size_t find_largest_in_column(const refinement *t, size_t k)
     return best;
 }
 
-/* Gauss and Jordan; the matrix is used up. False: it seems to be singular. */
+/* Gauss-Jordan elimination; the matrix is overwritten. False: it seems to be singular. */
 static bool invert_matrix(refinement *t)
 {
     size_t n = t->size;
@@ -195,9 +195,9 @@ static bool invert_matrix(refinement *t)
     return true;
 }
 
-/* Is |I - B R| <= 1/2? A row of it, in doubles, is off by less than (size + 8) 2^-52 times 1 + the
- * sizes of the row of B times those of R: size + 1 roundings by 2^-53 and one of each number of B.
- * y is scratch. */
+/* Is |I - B R| <= 1/2? The error of a row of it, in doubles, is less than (size + 8) 2^-52 times 1
+ * + the absolute values of the row of B times those of R: size + 1 roundings by 2^-53 and one of
+ * each entry of B. y is scratch. */
 static bool is_inverse_good(refinement *t)
 {
     size_t n = t->size;
@@ -210,7 +210,7 @@ static bool is_inverse_good(refinement *t)
     }
     write_matrix(t);
     for (size_t r = 0; r < n; r++) {
-        double sizes = 1, sum = 1e-60; /* more than what underflows */
+        double sizes = 1, sum = 1e-60; /* more than any underflow */
         memset(t->y, 0, n * sizeof *t->y);
         t->y[r] = 1;
         for (size_t k = 0; k < n; k++) {
@@ -252,8 +252,8 @@ static void note_columns(refinement *t, size_t row)
         t->is_nonzero[r->column[k]] = true;
 }
 
-/* Leave out rows whose multiplier, in y, seems to be 0. False: the others are not as many as their
- * columns, or nothing demands one. */
+/* Leave out rows whose multiplier, in y, seems to be 0. False: the other rows and their columns
+ * differ in number, or one of these rows is a unit or off. */
 static bool keep_rows_that_count(refinement *t)
 {
     size_t kept = 0, columns = 0;
@@ -278,7 +278,7 @@ static bool keep_rows_that_count(refinement *t)
     return kept == columns && kept > 0;
 }
 
-/* B, R and c are those of the rows that count. */
+/* B, R and c for the rows that count. */
 static fmb_status prepare_inverse(refinement *t, bool *good)
 {
     take_all_rows(t);
@@ -306,13 +306,13 @@ static void subtract_coefficient(refinement *t, size_t row, size_t k, mpz_t numb
     mpz_submul(number, t->term, t->entry);
 }
 
-/* term = what row s of B is multiplied by, as an integer row of the program. */
+/* term = the multiplier of row s of B, as an integer row of the program. */
 static void take_multiplier(refinement *t, size_t s)
 {
     mpz_mul_2exp(t->term, t->multiplier.z[s], (mp_bitcnt_t)(t->unit - t->exponent[s]));
 }
 
-/* -1 times a power of two is the multiplier of the odd row. */
+/* The multiplier of the odd row is -1 times a power of two. */
 static void take_odd_multiplier(refinement *t)
 {
     mpz_set_si(t->term, -1);
@@ -327,7 +327,7 @@ static double in_units(const mpz_t number, int unit)
     return e > 2000 ? x * HUGE_VAL : e < -2000 ? 0 : ldexp(x, (int)e);
 }
 
-/* What y' leaves of c, exactly in `left`, and in doubles. */
+/* The rest of c for y': exactly in `left`, and in doubles. */
 static void find_rest(refinement *t)
 {
     for (size_t k = 0; k < t->size; k++)
@@ -346,7 +346,7 @@ static void find_rest(refinement *t)
         t->rest[k] = in_units(t->left.z[k], t->places + t->unit);
 }
 
-/* Some more places of y'. */
+/* Compute some more places of y'. */
 static void correct_multipliers(refinement *t)
 {
     multiply_by_inverse(t, t->rest);
@@ -360,7 +360,7 @@ static void correct_multipliers(refinement *t)
 
 /* ---- signs ----------------------------------------------------------------------------------- */
 
-/* By how much the multipliers may be off. */
+/* A bound on the errors of the multipliers. */
 static double bound_error(const refinement *t)
 {
     double sum = 0;
@@ -369,8 +369,8 @@ static double bound_error(const refinement *t)
     return 2 * SAFE * sum + 1e-250;
 }
 
-/* The sign that all multipliers of inequalities have, 0 where there are none; false: not known yet,
- * or they *differ. */
+/* The common sign of all multipliers of inequalities, 0 if there are none; false: not known yet, or
+ * they *differ. */
 static bool find_common_sign(const refinement *t, double error, int *sign, bool *differ)
 {
     bool known = true;
@@ -391,7 +391,7 @@ static bool find_common_sign(const refinement *t, double error, int *sign, bool 
 }
 
 /* The sign of b_odd - sum_r y_r b_r, 0 if it is not known. Right sides that underflow are less than
- * the first size; what that, or the rest, is off by is less than the least that is believed. */
+ * the initial `size`; that error, and the rest, are less than the least number accepted. */
 static int find_sign_of_remainder(refinement *t, double error)
 {
     mpz_ptr sum = t->left.z[0];
@@ -411,7 +411,7 @@ static int find_sign_of_remainder(refinement *t, double error)
     return fabs(rest) > SAFE * SAFE * error * size + LEAST ? mpz_sgn(sum) : 0;
 }
 
-/* Multipliers of inequalities have to be of the sign opposite to *sign, and the remainder, too. */
+/* Multipliers of inequalities must have the sign opposite to *sign, and so must the remainder. */
 static bool is_conflict_refined(refinement *t, int *sign, bool *hopeless)
 {
     int common, remainder;

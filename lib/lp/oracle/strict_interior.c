@@ -1,13 +1,13 @@
 /* strict_interior.c: strict rows, by the widest margin.
  *
- * With a column t more, rows a.x < b become a.x + w t <= b, w > 0, and t <= 1. The largest t is
+ * With one more column t, rows a.x < b become a.x + w t <= b, w > 0, and t <= 1. The largest t is
  * positive if and only if some x satisfies all strict rows; if it is not, its multipliers y combine
  * the rows to t <= 0: then sum y_i a_i = 0, the w y of strict rows add up to 1, and sum y_i b_i <=
  * 0, a conflict.
  *
- * On the face of an optimum there is one row more, -C.x <= -V, with multiplier mu. Then
- * sum y_i a_i = mu C and sum y_i b_i <= mu V. mu > 0, as the y alone would be a conflict of
- * rows that have a solution; so y / mu proves C.x < V, of which C.x <= V is known to be the best.
+ * On the face of an optimum there is one more row, -C.x <= -V, with multiplier mu. Then sum y_i a_i
+ * = mu C and sum y_i b_i <= mu V. mu > 0, as the y alone would be a conflict of rows that have a
+ * solution; so y / mu proves C.x < V, where C.x <= V is known to be best possible.
  */
 #include "lp/oracle/oracle_state.h"
 
@@ -15,8 +15,8 @@
 
 #include "num/gcd.h"
 
-/* Any positive coefficients of t will do: where columns are scaled those in proportion to the sizes
- * of the rows, or the room of one of 2^-1000 would be t's. */
+/* Any positive coefficients of t are valid: if columns are scaled, those in proportion to the sizes
+ * of the rows, or a row with a margin of 2^-1000 would determine t. */
 static fmb_status load_widened_rows(fmb_oracle *o, fmb_program *q)
 {
     const fmb_program *p = o->p;
@@ -33,7 +33,7 @@ static fmb_status load_widened_rows(fmb_oracle *o, fmb_program *q)
     return st;
 }
 
-/* The rows and t <= 1, with the face's row before that. */
+/* Load the rows, the face's row if any, and t <= 1. */
 static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
 {
     fmb_integers z;
@@ -60,8 +60,8 @@ static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
     return st;
 }
 
-/* The multipliers of the rows as they were given; of a face, over mu times the denominator that its
- * row was multiplied by and the unit of the cost. */
+/* The multipliers of the given rows; for a face, divided by mu times the denominator by which its
+ * row was multiplied, and by the unit of the cost. */
 static fmb_status take_interior_weights(fmb_oracle *o, const fmb_oracle *t, bool face)
 {
     fmb_weights w = {0};
@@ -98,7 +98,7 @@ static fmb_status take_inner_point(fmb_oracle *o, const fmb_oracle *t)
     return fmb_integers_settle(&o->point, o->run->mem);
 }
 
-/* t as large as it gets, unless the first point seen has a positive one. */
+/* Maximize t, unless the first point found has a positive one. */
 static fmb_status widen_interior(fmb_oracle *o, fmb_oracle *t, bool face, bool *room)
 {
     fmb_weights cost = {0};

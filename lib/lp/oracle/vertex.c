@@ -94,7 +94,7 @@ fmb_status fmb_vertex_replace(fmb_vertex *v, size_t r, size_t i)
 
 /* ---- exact solutions ------------------------------------------------------------------------- */
 
-/* num / den, roughly. */
+/* num / den in doubles. */
 static double ratio_as_double(const mpz_t num, const mpz_t den)
 {
     long en, ed;
@@ -162,12 +162,12 @@ double fmb_vertex_slack(fmb_vertex *v, size_t i)
     return fmb_vertex_slack_sign(v, i) == 0 ? 0 : -ratio_as_double(v->sum, v->den);
 }
 
-/* The slack of row i in doubles. *sure: its sign is right. Each x, coefficient and product is off
- * by a factor within 1 +- 2^-51, the x being quotients of truncated numbers; sums of up to size + 1
- * terms add size + 1 roundings: together less than (size + 8) 2^-50 of the sum of all sizes. An x
- * that underflows is off by 2^-1075 times 1 + 2^-51 besides, which its coefficient enlarges; a
- * product that does, by 2^-1075: both are doubled. Where x is of integers (whole), as coefficients
- * are, and all sums are less than 2^53, nothing is rounded. */
+/* The slack of row i in doubles. *sure: its sign is right. Each x, coefficient and product is right
+ * up to a factor within 1 +- 2^-51, the x being quotients of truncated numbers; sums of up to size
+ * + 1 terms add size + 1 roundings: together less than (size + 8) 2^-50 of the sum of absolute
+ * values. An x that underflows has an error of 2^-1075 times 1 + 2^-51 besides, enlarged by its
+ * coefficient; a product that does, one of 2^-1075: both are doubled. If x is integral (whole), as
+ * coefficients are, and all sums are less than 2^53, nothing is rounded. */
 static double rough_slack(const fmb_program *p, size_t i, const double *roughly, bool whole,
                           bool *sure)
 {
@@ -184,7 +184,7 @@ static double rough_slack(const fmb_program *p, size_t i, const double *roughly,
     return slack;
 }
 
-/* -1 or 1 where row i is violated, 0 where it holds; *depth roughly how far. */
+/* -1 or 1 if row i is violated, 0 if it holds; *depth: by about how much. */
 static int violation_sign(fmb_vertex *v, size_t i, double *depth)
 {
     bool sure, equality = v->p->row[i].rel == FMB_EQ;

@@ -1,7 +1,7 @@
-/* eliminate_core.c: the core of a basis in doubles becomes triangles; see updated_lu.h.
+/* eliminate_core.c: factors the core of a basis in doubles into triangles; see updated_lu.h.
  *
- * Markowitz's elimination (markowitz.h) on rows and columns that no singleton has, numbered in
- * their order. A pivot is not small beside the largest of its row, which is about 1 at first.
+ * Markowitz's elimination (markowitz.h) on the rows and columns without singletons, numbered in
+ * their order. A pivot is not small relative to the largest of its row, which is about 1 at first.
  */
 #include "lp/linalg/doubles/updated_lu.h"
 
@@ -11,9 +11,9 @@
 
 /* A pivot is at least this share of the largest in its row. */
 #define SHARE_OF_PIVOT 0.1
-/* What is less, of rows whose largest was about 1, is rounding error. */
+/* In rows whose largest was about 1, smaller numbers are rounding errors. */
 #define VANISHES 1e-11
-/* What is less after a subtraction has cancelled. */
+/* Smaller results of a subtraction have cancelled. */
 #define CANCELLED 1e-14
 
 /* ---- numbers --------------------------------------------------------------------------------- */
@@ -24,7 +24,7 @@ static fmb_number keep_pivot(const void *self, fmb_number pivot)
     return pivot;
 }
 
-/* Not by the reciprocal: equal numbers are to cancel. */
+/* Division, not a product with the reciprocal, so that equal numbers cancel. */
 static fmb_number divide_doubles(const void *self, fmb_number a, fmb_number pivot)
 {
     (void)self;
@@ -60,7 +60,7 @@ static const fmb_markowitz_numbers doubles = {keep_pivot, divide_doubles, subtra
 
 /* ---- the core -------------------------------------------------------------------------------- */
 
-/* Rows of the core are numbered as they come: place[k], and its columns: column[k]. */
+/* Load the rows of the core, numbered consecutively: place[k]; and its columns: column[k]. */
 static fmb_status load_core(const fmb_updated_lu *u, fmb_markowitz *m, fmb_arena *arena,
                             const int *place, size_t size, const int *number)
 {
@@ -80,7 +80,7 @@ static fmb_status load_core(const fmb_updated_lu *u, fmb_markowitz *m, fmb_arena
     return st;
 }
 
-/* Pivots and their rows, then the multipliers, which come pivot by pivot. */
+/* Write pivots and their rows, then the multipliers, which are sorted by pivot. */
 static fmb_status write_core_factors(fmb_updated_lu *u, const fmb_markowitz *m, const int *place,
                                      const int *column)
 {

@@ -103,7 +103,7 @@ void fmb_triangle_add(fmb_triangle *t, double pivot)
 
 /* ---- solving --------------------------------------------------------------------------------- */
 
-/* v_k is complete but for the pivot. False: it is as good as 0. */
+/* Divide the otherwise complete v_k by the pivot. False: it is negligible. */
 static inline bool divide_by_pivot(fmb_triangle *t, size_t k)
 {
     t->v[k] /= t->pivot[k];
@@ -124,7 +124,7 @@ static inline void subtract_links(fmb_triangle *t, size_t k)
         fmb_triangle_put(t, (size_t)t->link[i].step, factor * t->link[i].value);
 }
 
-/* Steps that are marked on the way are later ones. */
+/* Steps marked meanwhile are later ones. */
 void fmb_triangle_forward(fmb_triangle *t)
 {
     for (size_t w = 0; w <= t->steps / 64; w++)
@@ -139,7 +139,7 @@ void fmb_triangle_forward(fmb_triangle *t)
         }
 }
 
-/* Here they are earlier ones. */
+/* Here steps marked meanwhile are earlier ones. */
 void fmb_triangle_backward(fmb_triangle *t)
 {
     for (size_t w = t->steps / 64 + 1; w-- > 0;)
@@ -165,8 +165,8 @@ void fmb_triangle_list(const fmb_triangle *t, fmb_compressed_rows *l)
         }
 }
 
-/* A step that is marked, from word *w of the marks on, and is not any more: *x was there, now it is
- * 0. False: none is. */
+/* The next marked step k, from word *w of the marks on, is unmarked, and its value *x reset to 0.
+ * False: none is marked. */
 static inline bool take_number(fmb_triangle *t, size_t *w, size_t *k, double *x)
 {
     while (t->marks[*w] == 0)

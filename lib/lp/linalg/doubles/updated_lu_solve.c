@@ -46,7 +46,7 @@ void fmb_updated_lu_clear(fmb_updated_lu *u)
 
 /* ---- singletons ------------------------------------------------------------------------------ */
 
-/* The first member that names a column alone. */
+/* Make the first member with only one column, for each column, a singleton. */
 static void set_singletons_aside(fmb_updated_lu *u)
 {
     memset(u->singleton, -1, u->n * sizeof *u->singleton);
@@ -62,7 +62,7 @@ static void set_singletons_aside(fmb_updated_lu *u)
     }
 }
 
-/* Each number that the core has in a column of a singleton: counted, or put before the others. */
+/* Count the core's entries in columns of singletons, or (put) store each before earlier ones. */
 static void look_beside(fmb_updated_lu *u, bool put)
 {
     fmb_compressed_rows *b = &u->beside;
@@ -107,8 +107,8 @@ static void drop_place_from_list(fmb_compressed_rows *l, size_t r)
         l->value[t] = l->index[t] == (int)r ? 0 : l->value[t];
 }
 
-/* Places in the core without a slot get the columns without one, as unit vectors: of which nothing
- * was subtracted. */
+/* Give places of the core without a slot the columns without one, as unit vectors, from which
+ * nothing was subtracted. */
 static void fill_up_with_units(fmb_updated_lu *u)
 {
     size_t j = 0;
@@ -143,7 +143,7 @@ fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member)
 
 /* ---- exchanges ------------------------------------------------------------------------------- */
 
-/* The place that rests becomes one of the core: its slot. */
+/* Move the place of a singleton into the core; returns its slot. */
 static size_t wake_place(fmb_updated_lu *u, size_t p)
 {
     size_t s = u->upper.steps;
@@ -158,7 +158,7 @@ static size_t wake_place(fmb_updated_lu *u, size_t p)
     return s;
 }
 
-/* Other numbers of z, for number s of it, which is one over the pivot. */
+/* Keep the entries of z except entry s, divided by entry s, which is one over the pivot. */
 static void keep_turn(fmb_updated_lu *u, size_t s, double pivot)
 {
     for (size_t t = 0; t < u->left.size; t++)
@@ -226,7 +226,7 @@ static inline size_t step_of_place(const fmb_updated_lu *u, size_t r)
     return (size_t)u->step[u->slot_of_place[r]];
 }
 
-/* x_j at the column of a place that rests, for members of the core that have not been exchanged. */
+/* Add value to x_j, j a singleton's column, and correct right sides of unexchanged core members. */
 static void solve_singleton(fmb_updated_lu *u, size_t j, double value, fmb_indexed_vector *x)
 {
     fmb_indexed_vector_add(x, j, value);
@@ -237,7 +237,7 @@ static void solve_singleton(fmb_updated_lu *u, size_t j, double value, fmb_index
     }
 }
 
-/* Columns of places that rest; what is left of b is that of the core. */
+/* Solve for the columns of singletons; the rest of b is the right side of the core. */
 static void load_right_side(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexed_vector *x)
 {
     for (size_t t = 0; t < b->count; t++) {
@@ -297,7 +297,7 @@ void fmb_updated_lu_solve(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexed_
     fmb_triangle_hand_out(&u->upper, u->column, x);
 }
 
-/* What c has in columns of places that rest becomes that of those. */
+/* Move the entries of c in columns of singletons to the places of these. */
 static void load_cost(fmb_updated_lu *u, fmb_indexed_vector *c, fmb_indexed_vector *y)
 {
     for (size_t t = 0; t < c->count; t++) {
@@ -312,7 +312,7 @@ static void load_cost(fmb_updated_lu *u, fmb_indexed_vector *c, fmb_indexed_vect
     c->count = 0;
 }
 
-/* What places that rest have of a member with the multiplier `value`. */
+/* Subtract a member times the multiplier `value` from the places of singletons. */
 static inline void price_at_rest(const fmb_updated_lu *u, fmb_terms m, double value,
                                  fmb_indexed_vector *y)
 {
@@ -326,7 +326,7 @@ static inline void price_at_rest(const fmb_updated_lu *u, fmb_terms m, double va
     }
 }
 
-/* How many terms the members in the core have that count; counting stops at most. */
+/* The number of terms of the members in the core that count; counting may stop beyond `most`. */
 static size_t count_terms(const fmb_updated_lu *u, const fmb_indexed_vector *y, size_t most)
 {
     size_t terms = 0;
@@ -339,7 +339,7 @@ static size_t count_terms(const fmb_updated_lu *u, const fmb_indexed_vector *y, 
     return terms;
 }
 
-/* Places that rest, from all others. */
+/* Compute the values at places of singletons from all others. */
 static void price_places_at_rest(fmb_updated_lu *u, fmb_indexed_vector *y)
 {
     size_t count = y->count;

@@ -46,7 +46,7 @@ static const fmb_vec *unknown_row(const fmb_combination *c, size_t k)
     return c->row[c->index[k]].v;
 }
 
-/* The columns that the rows name, an equation each. */
+/* List the columns with entries of the rows: one equation each. */
 static void list_equations(fmb_combination *c)
 {
     c->equations = 0;
@@ -81,7 +81,7 @@ static void swap_equations(fmb_combination *c, size_t a, size_t b)
     c->column[b] = column;
 }
 
-/* Column k of L U: what the columns before it leave (Crout). */
+/* Compute column k of L U: subtract the products of earlier columns (Crout). */
 static void reduce_matrix_column(fmb_combination *c, size_t k)
 {
     size_t wide = c->unknowns + 1;
@@ -94,8 +94,8 @@ static void reduce_matrix_column(fmb_combination *c, size_t k)
     }
 }
 
-/* L U = the equations, rows in another order; false where unknowns depend on one another, or the
- * equations contradict each other. */
+/* L U = the equations, with rows reordered; false if the unknowns are dependent, or the equations
+ * contradict each other. */
 static bool factor_equations(fmb_combination *c)
 {
     size_t wide = c->unknowns + 1, m = c->unknowns;
@@ -141,7 +141,7 @@ static void solve_modulo_prime(fmb_combination *c)
 
 /* ---- lifting --------------------------------------------------------------------------------- */
 
-/* The number next to 0 with that remainder. */
+/* The number of least absolute value with that remainder. */
 static void set_symmetric(mpz_t z, const fmb_prime *q, uint64_t remainder)
 {
     if (remainder > q->p / 2)
@@ -191,7 +191,7 @@ static bool do_digit_sums_fit(const fmb_combination *c)
     return true;
 }
 
-/* part[k] = what the first digits say; the rest for the next ones. */
+/* No digits yet: the parts are 0, the residuals are the right sides. */
 static void begin_digits(fmb_combination *c)
 {
     mpz_set_ui(c->power, 1);
@@ -201,7 +201,7 @@ static void begin_digits(fmb_combination *c)
     }
 }
 
-/* Take in the digits at hand, and find the next ones. */
+/* Add the current digits to the parts, and compute the next ones. */
 static void lift_by_one_digit(fmb_combination *c, bool small)
 {
     size_t wide = c->unknowns + 1;
@@ -218,8 +218,8 @@ static void lift_by_one_digit(fmb_combination *c, bool small)
     substitute_back(c);
 }
 
-/* Numerators over one denominator `all` for what the digits say; false where some is too large to
- * be believed, or the query ends. */
+/* Guess numerators over one denominator `all` from the digits; false if some are too large to be
+ * plausible, or the query ends. */
 static bool guess_fractions(fmb_combination *c, mpz_t *numerator)
 {
     const fmb_poll poll = fmb_run_asked(c->run);
@@ -228,7 +228,7 @@ static bool guess_fractions(fmb_combination *c, mpz_t *numerator)
     for (size_t k = 0; k < c->unknowns; k++) {
         mpz_mul(c->v, c->part[k], c->all);
         mpz_fdiv_r(c->v, c->v, c->power);
-        mpz_sub(c->u, c->v, c->power); /* the remainder next to 0 */
+        mpz_sub(c->u, c->v, c->power); /* the remainder of least absolute value */
         mpz_set(numerator[k], mpz_cmpabs(c->u, c->v) < 0 ? c->u : c->v);
         if (mpz_sizeinbase(numerator[k], 2) <= most)
             continue;
@@ -243,7 +243,7 @@ static bool guess_fractions(fmb_combination *c, mpz_t *numerator)
     return true;
 }
 
-/* ---- judging --------------------------------------------------------------------------------- */
+/* ---- checking -------------------------------------------------------------------------------- */
 
 /* left = all (row i) - sum of part_k (row k), at entry j. */
 static fmb_status subtract_parts(fmb_combination *c, mpz_t *part, size_t j, mpz_t left)
@@ -262,7 +262,7 @@ static fmb_status subtract_parts(fmb_combination *c, mpz_t *part, size_t j, mpz_
     return st;
 }
 
-/* Do the parts solve equations from .. on? */
+/* Do the parts solve the equations from number `from` on? */
 static fmb_status try_equations(fmb_combination *c, mpz_t *part, size_t from, bool *solved)
 {
     fmb_status st = FMB_OK;
@@ -274,8 +274,8 @@ static fmb_status try_equations(fmb_combination *c, mpz_t *part, size_t from, bo
     return st;
 }
 
-/* Rounds of digits until fractions hold: as soon as they do, and at the latest when no larger ones
- * are possible. */
+/* Add digits until fractions hold: tried as soon as they are plausible, and at the latest when no
+ * larger ones are possible. */
 static fmb_status lift_digits(fmb_combination *c, double bits, bool *found)
 {
     fmb_status st = FMB_OK;
@@ -305,7 +305,7 @@ static fmb_status lift_digits(fmb_combination *c, double bits, bool *found)
 
 /* ---- the answer ------------------------------------------------------------------------------ */
 
-/* In lowest terms, all > 0, without parts that are 0; left by the right sides. */
+/* Reduce to lowest terms, all > 0, without zero parts; compute `left` from the right sides. */
 static fmb_status tidy_combination(fmb_combination *c)
 {
     const fmb_poll poll = fmb_run_asked(c->run);

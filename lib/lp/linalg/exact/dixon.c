@@ -6,7 +6,7 @@
 #include "num/gcd.h"
 
 /* A residual of row k stays below 2^62 + 2^61 + 5 in a word if the sum S of the row's |entries| is
- * at most 2^62: for |r - B d| / p <= |r| / p + S, and a digit of the right side is less than p. */
+ * at most 2^62: |r - B d| / p <= |r| / p + S, and a digit of the right side is less than p. */
 #define WORD_BITS 62
 
 fmb_status fmb_dixon_init(fmb_dixon *l, fmb_arena *arena, const fmb_prime *q, const fmb_sparse *b,
@@ -186,14 +186,14 @@ fmb_status fmb_dixon_step(fmb_dixon *l)
     return FMB_OK;
 }
 
-/* Of so many digits, which take no longer than milliseconds, one asks whether to go on. */
+/* One poll for this many digits, which take at most milliseconds. */
 #define ASKING_DIGITS 512
 
 fmb_status fmb_dixon_value(fmb_dixon *l, size_t k, size_t digits, mpz_t out, const fmb_poll *poll)
 {
     fmb_status st = FMB_OK;
     (void)mpz_limbs_write(out, (mp_size_t)(digits * FMB_PRIME_BITS / GMP_NUMB_BITS + 2));
-    mpz_limbs_finish(out, 0); /* 0, with room for all digits */
+    mpz_limbs_finish(out, 0); /* 0, with memory for all digits */
     for (size_t s = digits; st == FMB_OK && s-- > 0;) {
         fmb_integer_times_u64(out, out, l->q->p);
         fmb_integer_plus_u64(out, out, l->digit[s * l->n + k]);

@@ -23,12 +23,12 @@ struct fmb_factor {
     fmb_sweep across[2]; /* the transposes of lu.upper, lu.lower */
     fmb_dixon lift[2];
     fmb_minors minors;
-    bool is_short, has_minors; /* minors suit it; they are there */
+    bool is_short, has_minors; /* are minors suitable? are they computed? */
     bool *reached;             /* [n] scratch of substitution */
     fmb_rational rational;
-    fmb_integers factor; /* [n] scratch: what came into d for each unknown in turn */
+    fmb_integers factor; /* [n] scratch: factors of d from each unknown in turn */
     mpz_t m, y, a, d, part;
-    size_t usual[2]; /* digits that were enough last time */
+    size_t usual[2]; /* digits that sufficed last time */
 };
 
 fmb_status fmb_factor_new(fmb_run *run, const fmb_program *p, fmb_factor **out)
@@ -139,22 +139,21 @@ static fmb_status prepare_lifting(fmb_factor *f, bool across)
 
 /* ---- solutions ------------------------------------------------------------------------------- */
 
-/* What one solution is asked: x[at[k]] is unknown k, right[right_at[k]] the right side of row k. */
+/* One system to solve: x[at[k]] is unknown k, right[right_at[k]] the right side of row k. */
 typedef struct asked {
     fmb_dixon *lift;
     mpz_t *right;
     const int *right_at, *at;
     mpz_t *x;
     size_t right_bits;
-    bool whole; /* all digits are looked at, of each number */
-    size_t
-        some; /* of them, which make numbers modulo f->part: as many as numbers were long so far */
+    bool whole;  /* use all digits of each number */
+    size_t some; /* digits used, for numbers modulo f->part: as many as were needed so far */
 } asked;
 
 #define GUARD_BITS 24
 
-/* f->y = f->d times unknown k modulo p^digits = m, the number nearest to 0. False: the query ends,
- * as it says at the next digit. */
+/* f->y = f->d times unknown k modulo p^digits = m, with least absolute value. False: the query
+ * ends, which the next digit reports. */
 static bool scale_unknown(fmb_factor *f, const asked *s, size_t k, size_t digits, const mpz_t m)
 {
     const fmb_poll poll = fmb_run_asked(f->run);
@@ -168,13 +167,13 @@ static bool scale_unknown(fmb_factor *f, const asked *s, size_t k, size_t digits
     return fmb_run_poll_long(f->run, m) == FMB_OK;
 }
 
-/* The i-th unknown that is looked at: those first that others follow from. */
+/* The i-th unknown to be processed: first those from which others follow. */
 static size_t unknown_in_turn(const fmb_factor *f, const asked *s, size_t i)
 {
     return s->lift == &f->lift[0] ? s->lift->n - 1 - i : i;
 }
 
-/* From now on numbers are expected to be no longer than f->y, and have a digit to spare. */
+/* Expect numbers no longer than f->y from now on, with a digit to spare. */
 static void expect_length(fmb_factor *f, asked *s)
 {
     size_t digits = mpz_sizeinbase(f->y, 2) / (FMB_PRIME_BITS - 1) + 3;
@@ -185,8 +184,8 @@ static void expect_length(fmb_factor *f, asked *s)
         fmb_integer_times_u64(f->part, f->part, f->q.p);
 }
 
-/* f->y is a fraction over what f->d lacks: multiply that in. False: none is found yet, or
- * the query ends, as it says at the next digit. */
+/* f->y is a fraction whose denominator f->d lacks: multiply it into f->d. False: it is not found
+ * yet, or the query ends, which the next digit reports. */
 static bool widen_denominator(fmb_factor *f, size_t m_bits)
 {
     const fmb_poll poll = fmb_run_asked(f->run);
@@ -202,7 +201,7 @@ static bool widen_denominator(fmb_factor *f, size_t m_bits)
     return true;
 }
 
-/* d times unknown k, and what is multiplied into d for it; 0 stands for 1, which it is as a rule.
+/* Find d times unknown k, and the factor multiplied into d for it; the factor 0 means 1, as mostly.
  */
 static bool find_numerator(fmb_factor *f, asked *s, size_t k, size_t shorter, mpz_t factor)
 {
@@ -230,8 +229,8 @@ static bool find_numerator(fmb_factor *f, asked *s, size_t k, size_t shorter, mp
     return true;
 }
 
-/* Numerators over the d of their moment, one unknown after the other; then what came into d after
- * that is multiplied in. */
+/* Find numerators over the current d, one unknown after the other; then multiply each by the
+ * factors that d got later. */
 static bool find_numerators(fmb_factor *f, asked *s, size_t shorter)
 {
     bool found = true;
@@ -250,7 +249,7 @@ static bool find_numerators(fmb_factor *f, asked *s, size_t shorter)
     return found;
 }
 
-/* Is B x = d right, in integers? */
+/* Does B x = d right hold in integers? */
 static bool is_solution(fmb_factor *f, const asked *s)
 {
     const fmb_sparse *b = s->lift->b;
@@ -270,12 +269,12 @@ static bool is_solution(fmb_factor *f, const asked *s)
 /* Theorem. Let m = p^k, x the digits so far: B x = right modulo m. If y = d x modulo m, then B y =
  * d right modulo m; and if both sides are less than m/2, B y = d right.
  *
- * A fraction may look short by chance before its denominator is in d (m is not at random: 1/2^30
- * is, modulo some powers of some primes), and not after: then all are looked for once more, with d
- * as it is by then, and that one is not short again, or d has grown.
+ * A fraction may look short by chance before d has its denominator (m is not random: 1/2^30 is
+ * short modulo some powers of some primes), and not later: then all fractions are computed again
+ * with the present d, and that one is not short again, or d has grown.
  *
- * Most numbers are about as long as each other, and shorter than m. So they are taken from a few
- * digits first, and multiplied back; only where that fails, from all. */
+ * Most numbers have about the same length, and are shorter than m. So they are computed from a few
+ * digits first, and verified by multiplication; only if that fails, from all digits. */
 static bool find_common_denominator(fmb_factor *f, asked *s)
 {
     size_t m_bits = mpz_sizeinbase(f->m, 2) - 1, norm_bits = s->lift->b->bits_max;
@@ -297,14 +296,14 @@ static bool find_common_denominator(fmb_factor *f, asked *s)
     return !s->whole;
 }
 
-/* Steps of a digit: residuals, of a word or more each, and both factors. */
+/* Work of a digit: residuals, each of a word or more, and both factors. */
 static uint64_t work_of_digit(const fmb_dixon *l)
 {
     size_t n = l->n, words = l->word_start[n];
     return 40 * n + 4 * l->b->start[n] * words / n;
 }
 
-/* Steps of looking for fractions: so many digits of each unknown, mostly over the divisor of the
+/* Work of a search for fractions: so many digits of each unknown, mostly over the divisor of the
  * one before. */
 static uint64_t work_of_fractions(const fmb_dixon *l)
 {
@@ -312,8 +311,8 @@ static uint64_t work_of_fractions(const fmb_dixon *l)
     return l->n * (200 + digits * digits / 2 + fmb_limbs_work(digits)) + 2 * fmb_gcd_work(digits);
 }
 
-/* Fractions are not looked for before there are as many digits as were enough last time, roughly:
- * digits are cheaper than looking in vain. */
+/* Fractions are not looked for before there are about as many digits as sufficed last time: digits
+ * are cheaper than a failed search. */
 static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
 {
     size_t *usual = &f->usual[s->lift - f->lift];
@@ -334,7 +333,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
             return FMB_OK;
         }
         assert(digits <= most);
-        if (digits > most) /* only if our arithmetic is wrong: rather that than for ever */
+        if (digits > most) /* only if our arithmetic is wrong: better than an endless loop */
             return FMB_ERR_STATE;
         next = digits + digits / 8 + 1;
     }
@@ -381,7 +380,7 @@ static bool substitute(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t
     return fmb_triangular_solve(&t, right, across ? column : row, across ? row : column, x, den);
 }
 
-/* B, or across it B^T: triangular, or of short minors, or digit by digit. */
+/* Solve with B, or (across) with B^T: triangular, or by short minors, or digit by digit. */
 static fmb_status solve_factored(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t den)
 {
     const int *right_at = across ? f->lu.column_at : f->lu.row_at;

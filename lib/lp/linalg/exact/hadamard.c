@@ -1,13 +1,13 @@
 /* hadamard.c: see hadamard.h.
  *
- * Entries of a column are scaled by the longest one, as squares of long ones are no doubles. Then
- * the sum of squares is at least 1/4, and what underflows in it is less than its rounding.
+ * Entries of a column are scaled by the longest one, as squares of long ones exceed doubles. Then
+ * the sum of squares is at least 1/4, and underflow in it is less than its rounding error.
  */
 #include "lp/linalg/exact/hadamard.h"
 
 #include <math.h>
 
-/* Of a column in the rows. */
+/* The bits of the longest entry of a column in the rows. */
 static size_t longest_entry(const fmb_lp_row *row, size_t i, size_t n, const size_t *index,
                             size_t column)
 {

@@ -9,9 +9,9 @@
  */
 #include "lp/linalg/exact/minors.h"
 
-/* Elimination takes n^3 products of numbers that grow; lifting, for each right side, as many digits
- * as the solution has on both sides of a fraction, each for n^2 products, of words where entries
- * are such, and else of what is twice as expensive. */
+/* Elimination takes n^3 products of growing numbers; lifting takes, for each right side, as many
+ * digits as numerator and denominator of the solution have together, each with n^2 products, of
+ * words if entries are words, otherwise of twice the cost. */
 #define MOST_UNKNOWNS      12
 #define MOST_UNKNOWNS_LONG 24
 
@@ -51,7 +51,7 @@ static void copy_entries(fmb_minors *f, const fmb_sparse *b)
         }
 }
 
-/* to = (p to - a b) / last; where a b = 0 and p = last, that is to. */
+/* to = (p to - a b) / last; unchanged if a b = 0 and p = last. */
 static void clear_entry(mpz_t to, const mpz_t p, const mpz_t a, const mpz_t b, const mpz_t last)
 {
     bool is_product = mpz_sgn(a) != 0 && mpz_sgn(b) != 0;
@@ -66,7 +66,7 @@ static void clear_entry(mpz_t to, const mpz_t p, const mpz_t a, const mpz_t b, c
         mpz_divexact(to, to, last);
 }
 
-/* One row went through step k. */
+/* Poll after step k of one row. */
 static fmb_status poll_row(fmb_run *run, const fmb_minors *f, size_t k)
 {
     return fmb_run_poll_step(run, !mpz_fits_slong_p(f->at.z[k * f->n + k]));
@@ -104,7 +104,7 @@ static mpz_srcptr factor_at(const fmb_minors *f, bool transposed, size_t i, size
     return transposed ? f->at.z[j * f->n + i] : f->at.z[i * f->n + j];
 }
 
-/* y, a last column of the matrix, goes through the steps. */
+/* Apply the steps to y as a last column of the matrix. */
 static fmb_status go_forwards(fmb_minors *f, fmb_run *run, bool transposed)
 {
     fmb_status st = FMB_OK;

@@ -1,4 +1,4 @@
-/* rational.c: fractions from residues; see rational.h. */
+/* rational.c: rational reconstruction; see rational.h. */
 #include "lp/linalg/exact/rational.h"
 
 #include <stdint.h>
@@ -18,7 +18,7 @@ void fmb_rational_clear(fmb_rational *w)
 
 /* ---- quotients from leading bits ------------------------------------------------------------- */
 
-/* So many leading bits of r and s; and what they are combined with has half as many. */
+/* Leading bits of r and s that are used; their combinations have half as many. */
 #define LEAD_BITS 62
 #define HALF      ((int64_t)1 << 31)
 
@@ -27,9 +27,9 @@ typedef struct steps {
     int64_t u[2], v[2];
 } steps;
 
-/* Those that the leading bits of r and s tell: Jebelean 1993, A generalization of the binary GCD
- * algorithm, theorem 1: a quotient is that of r and s if its remainder is at least |v_1|, and less
- * than the divisor by |v_0| + |v_1| at least. (|u| <= |v|, as r > s.) */
+/* The steps that the leading bits of r and s determine: Jebelean 1993, A generalization of the
+ * binary GCD algorithm, theorem 1: a quotient is that of r and s if its remainder is at least
+ * |v_1|, and less than the divisor by at least |v_0| + |v_1|. (|u| <= |v|, as r > s.) */
 static steps find_sure_steps(int64_t r, int64_t s)
 {
     steps h = {{1, 0}, {0, 1}};
@@ -62,8 +62,8 @@ static void combine_pair(fmb_rational *w, mpz_t a, mpz_t b, const steps *h)
     mpz_swap(b, w->u);
 }
 
-/* Several steps at once, after which s still is longer than a_bits: its leading bits are at least
- * twice HALF, and what they lack makes less than |v| of that. */
+/* Several steps at once, after which s is still longer than a_bits: its leading bits are at least
+ * twice HALF, and the omitted bits make less than |v| of that. */
 static bool take_sure_steps(fmb_rational *w, size_t a_bits)
 {
     size_t bits = mpz_sizeinbase(w->r, 2);
@@ -89,11 +89,11 @@ static void take_step(fmb_rational *w)
     mpz_swap(w->x, w->y);
 }
 
-/* Of so many steps, which take no longer than milliseconds, one asks whether to go on. */
+/* One poll for this many steps, which take at most milliseconds. */
 #define ASKING_STEPS 64
 
-/* r = x y0 and s = y y0 modulo m, all along; the first remainder that is short enough has the
- * fraction, if any has. */
+/* r = x y0 and s = y y0 modulo m, always; the first remainder that is short enough gives the
+ * fraction, if there is one. */
 bool fmb_rational_find(fmb_rational *w, const mpz_t y0, const mpz_t m, size_t a_bits, size_t b_bits,
                        mpz_t a, mpz_t b, const fmb_poll *poll)
 {

@@ -1,15 +1,15 @@
 /* triangular.c: see triangular.h.
  *
- * With D the product of the diagonal's numbers in the rows that are reached, D x is integer: by
+ * With D the product of the diagonal entries in the rows that are reached, D x is integral: by
  * Cramer's rule, as the rows reached are triangular among themselves. So each unknown, times D, is
- * an integer that comes out of one exact division.
+ * an integer that one exact division gives.
  */
 #include "lp/linalg/exact/triangular.h"
 
 #include "num/gcd.h"
 #include "num/integers.h"
 
-/* More bits than this are left to lifting, which stops early where the solution is short. */
+/* Longer solutions are left to lifting, which stops early if the solution is short. */
 #define MOST_BITS 4096
 
 static size_t turn_at(const fmb_triangular *t, size_t s)

@@ -5,7 +5,7 @@
 
 #include "lp/linalg/markowitz.h"
 
-/* A matrix on its way: pivots by Markowitz's rule. */
+/* A matrix being eliminated, with pivots by Markowitz's rule. */
 typedef struct elimination {
     fmb_modular_lu *f;
     const fmb_prime *q;
@@ -41,7 +41,7 @@ static const fmb_markowitz_numbers residues = {invert_residue, divide_residue, s
 
 /* ---- pivots ---------------------------------------------------------------------------------- */
 
-/* *whole: no entry is 0 modulo the prime. */
+/* *whole: no entry is zero modulo the prime. */
 static fmb_status load_residues(elimination *e, fmb_run *run, fmb_arena *arena, const fmb_sparse *a,
                                 bool *whole)
 {
@@ -60,8 +60,8 @@ static fmb_status load_residues(elimination *e, fmb_run *run, fmb_arena *arena, 
     return st;
 }
 
-/* The last pivot stands alone in its row, or in its column, which has `multipliers` then. Rows take
- * turns from the front, columns from the back. */
+/* Is the last pivot alone in its row, or in its column, which then has `multipliers`? Those of rows
+ * take turns from the front, those of columns from the back. */
 static bool note_turn(fmb_modular_lu *f, const fmb_markowitz *u, size_t multipliers, size_t *rows,
                       size_t *columns)
 {
@@ -99,7 +99,7 @@ static void place_pivot(fmb_modular_lu *f, size_t k, int i, int j)
     f->row_place[i] = f->column_place[j] = (int)k;
 }
 
-/* Pivots, and rows and columns that are left over. */
+/* Place the pivots, and the rows and columns left over. */
 static void place_all_pivots(const elimination *e)
 {
     fmb_modular_lu *f = e->f;
