@@ -1,5 +1,5 @@
-/* parallel_rows.c: see parallel_rows.h. Rows are compared divided by the greatest common divisor of
- * their coefficients, the scale. */
+/* parallel_rows.c: see parallel_rows.h. Rows are compared as if divided by the greatest common
+ * divisor of their coefficients, the scale. */
 #include "lp/redundancy/parallel_rows.h"
 
 #include "num/gcd.h"
@@ -12,7 +12,7 @@ typedef struct parallel_table {
     uint64_t *scale;              /* [m] of small rows */
     size_t *slot;                 /* [size] a row, SIZE_MAX: free; a table at most half full */
     size_t size;                  /* a power of two */
-    mpz_t a, b, scale_a, scale_b; /* scratch; the scales of two rows at hand */
+    mpz_t a, b, scale_a, scale_b; /* scratch; the scales of two loaded rows */
 } parallel_table;
 
 /* ---- directions ------------------------------------------------------------------------------ */
@@ -34,7 +34,7 @@ static fmb_status scale_of_any(const parallel_table *s, size_t i, mpz_t g)
     return FMB_OK;
 }
 
-/* Rows i and k come to hand. */
+/* Load the scales of rows i and k. */
 static fmb_status load_scales(parallel_table *s, size_t i, size_t k)
 {
     FMB_TRY(scale_of_any(s, i, s->scale_a));
@@ -47,7 +47,7 @@ static uint64_t stir_word(uint64_t h, uint64_t low, bool negative)
     return h ^ h >> 32;
 }
 
-/* Equal for parallel rows, small or wide; scale_a is the one of row i. */
+/* A hash that is equal for parallel rows, small or wide; scale_a is the scale of row i. */
 static uint64_t hash_direction(parallel_table *s, size_t i)
 {
     const fmb_vec *v = s->row[i].v;
@@ -64,7 +64,7 @@ static uint64_t hash_direction(parallel_table *s, size_t i)
     return h;
 }
 
-/* Entry j of row i, over the scale of the row, against the same of row k, both at hand: its sign.
+/* The sign of entry j of row i over its scale minus that of row k over its scale; both are loaded.
  */
 static int compare_scaled_entries(parallel_table *s, size_t i, size_t k, size_t j)
 {
@@ -88,10 +88,10 @@ static bool are_parallel(parallel_table *s, size_t i, size_t k)
     return true;
 }
 
-/* ---- which one goes -------------------------------------------------------------------------- */
+/* ---- which row is redundant ------------------------------------------------------------------ */
 
-/* Does row k imply row i, which is parallel and whose right side is so (-1, 0, 1) against that of
- * k?
+/* Does row k imply the parallel row i? order: -1, 0 or 1 if the right side of i is less, equal or
+ * greater.
  */
 static bool does_parallel_imply(const parallel_table *s, size_t k, size_t i, int order)
 {
@@ -101,7 +101,7 @@ static bool does_parallel_imply(const parallel_table *s, size_t k, size_t i, int
     return order > 0 || (order == 0 && (want == FMB_LE || have == FMB_LT));
 }
 
-/* Row i, of scale `of`, is implied by the parallel row k, of scale `by`. */
+/* Report that row i, of scale `of`, is implied by the parallel row k, of scale `by`. */
 static fmb_status tell_of_parallel(parallel_table *s, size_t i, const mpz_t of, size_t k,
                                    const mpz_t by, const fmb_verdicts *told)
 {
@@ -119,7 +119,7 @@ static fmb_status tell_of_parallel(parallel_table *s, size_t i, const mpz_t of, 
     return st;
 }
 
-/* Row i beside the parallel row in that slot, if there is one; then both are at hand. */
+/* Compare row i with the parallel row in that slot, if there is one; then both are loaded. */
 static fmb_status meet_parallel(parallel_table *s, size_t i, size_t *slot, fmb_fate *fate,
                                 const fmb_verdicts *told)
 {
@@ -140,7 +140,7 @@ static fmb_status meet_parallel(parallel_table *s, size_t i, size_t *slot, fmb_f
     return tell_of_parallel(s, k, s->scale_b, i, s->scale_a, told);
 }
 
-/* Where row i belongs: in a free slot, or the one of a parallel row; then both are at hand. */
+/* The slot for row i: a free one, or that of a parallel row; then both are loaded. */
 static fmb_status find_parallel_slot(parallel_table *s, size_t i, size_t **slot)
 {
     FMB_TRY(scale_of_any(s, i, s->scale_a));

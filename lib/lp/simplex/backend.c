@@ -1,8 +1,8 @@
 /* backend.c: the revised simplex method; see backend.h.
  *
- * It goes from vertex to vertex of the rows themselves: a search by the dual method, with a
- * cost that nobody asked for; then by the primal method to where the cost is greatest. Where that
- * moved right sides away, the dual method mends what it broke.
+ * It goes from vertex to vertex of the rows themselves: a search by the dual method, with an
+ * auxiliary cost; then to the largest cost by the primal method. If that perturbed right sides, the
+ * dual method restores feasibility.
  */
 #include "lp/simplex/backend.h"
 
@@ -11,20 +11,20 @@
 #include "lp/simplex/first_basis.h"
 #include "lp/simplex/simplex_methods.h"
 
-/* Bounds that are farther from 0 are no place to begin. */
+/* Bounds farther from 0 are no starting points. */
 #define FAR_BOUND 1e6
-/* Times that right sides are moved before a search gives up. */
+/* Most rounds with perturbed right sides before a maximization gives up. */
 #define ROUNDS 3
-/* What multipliers of about 0 become, without a cost and where the largest cost is about 1. */
+/* Values given to multipliers of about 0: without a cost, and if the largest cost is about 1. */
 #define NUDGE         1e-2
 #define NUDGE_OF_COST 1e-4
 
 struct fmb_backend {
     fmb_scaled_program scaled;
-    fmb_simplex_state state; /* of it */
+    fmb_simplex_state state; /* of `scaled` */
     double *cost;            /* [n] scaled as the columns are */
-    fmb_status late;         /* of a call that has none */
-    bool behind;             /* there are rows that the state has yet to take in */
+    fmb_status late;         /* the status of a function without one */
+    bool behind;             /* there are rows that the state lacks */
 };
 
 /* ---- questions ------------------------------------------------------------------------------- */
@@ -44,7 +44,7 @@ static void restore_right_sides(fmb_simplex_state *o)
     o->moved = false;
 }
 
-/* From multipliers that are those of an optimum to where the basis is primal feasible. */
+/* From a dual feasible basis, walk to a primal feasible one. */
 static fmb_status search_on(fmb_simplex_state *o, fmb_hint *h)
 {
     fmb_simplex_end end = FMB_SIMPLEX_ITERATION_LIMIT;
@@ -55,7 +55,7 @@ static fmb_status search_on(fmb_simplex_state *o, fmb_hint *h)
     return st;
 }
 
-/* Begin where bounds of columns meet: of each the one that lean.x prefers, or the one nearer to 0.
+/* Start where bounds of columns meet: of each the one that lean.x prefers, or the one nearer to 0.
  */
 static fmb_status start_at_bounds(fmb_simplex_state *o, const double *lean)
 {
@@ -79,9 +79,9 @@ static fmb_status start_at_bounds(fmb_simplex_state *o, const double *lean)
     return fmb_simplex_state_place(o, member);
 }
 
-/* The cost is `lean`, but for what makes multipliers here negative: so much is added along their
- * rows that they are 0, as those of unit vectors become. All of inequalities are made a little
- * larger besides, each by a share of its own, so that few are equal on the way. */
+/* The cost is `lean`, changed along the members with negative multipliers until these are 0, like
+ * those of unit vectors. Multipliers of all inequalities are then increased a little, each by its
+ * own random share, so that few are equal later. */
 static fmb_status lean_cost(fmb_simplex_state *o, const double *lean)
 {
     memcpy(o->cost, lean, o->n * sizeof *o->cost);
@@ -113,7 +113,7 @@ static fmb_status search(fmb_simplex_state *o, const double *lean, fmb_hint *h)
     return st;
 }
 
-/* From a vertex that is primal feasible. */
+/* Walk from a primal feasible vertex to the optimum. */
 static fmb_status climb_to_optimum(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
     fmb_simplex_end end = FMB_SIMPLEX_ITERATION_LIMIT;
@@ -150,8 +150,8 @@ static fmb_status maximize(fmb_simplex_state *o, const double *cost, fmb_hint *h
     return st;
 }
 
-/* From where a search ended on to where the cost is greatest, or as far as one comes in twice the
- * steps of the search: then no other vertex has to be solved for. */
+/* From the end of a search, walk to the largest cost, or as far as twice the steps of the search
+ * lead: then no other vertex has to be solved for. */
 static fmb_status go_on_from_search(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
     o->most_steps = 3 * o->steps;
@@ -161,7 +161,7 @@ static fmb_status go_on_from_search(fmb_simplex_state *o, const double *cost, fm
     return st;
 }
 
-/* What is late, and rows that are new. */
+/* Return a late status, and copy new rows. */
 static fmb_status catch_up(fmb_backend *d, fmb_hint *h)
 {
     fmb_status st = d->late == FMB_OK ? fmb_backend_grow(d) : d->late;
@@ -235,7 +235,7 @@ static size_t find_member(const fmb_simplex_state *o, size_t i)
     return FMB_NOWHERE;
 }
 
-/* A row that is left out leaves the basis, whose members may change places before. */
+/* A row that is switched off leaves the basis, whose members may change places before. */
 void fmb_backend_switch(fmb_backend *d, size_t i, bool on)
 {
     fmb_simplex_state *o = &d->state;
@@ -290,7 +290,7 @@ void fmb_backend_move_in(fmb_backend *d, double by)
     take_right_sides(&d->state);
 }
 
-/* Where the row is not in the basis, the point stays. */
+/* If the row is not in the basis, the point does not change. */
 void fmb_backend_shift_row(fmb_backend *d, size_t i)
 {
     fmb_simplex_state *o = &d->state;

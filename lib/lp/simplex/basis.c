@@ -8,7 +8,7 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-/* The arrays of places. */
+/* Allocate or free the arrays by place. */
 static fmb_status hold_places(fmb_basis *b, bool get)
 {
     const size_t d = b->most_d;
@@ -18,7 +18,7 @@ static fmb_status hold_places(fmb_basis *b, bool get)
         FMB_ARRAY(b->rest, d), FMB_ARRAY(b->length, d), FMB_ARRAY_ZERO(b->is_mirrored, d));
 }
 
-/* Those of columns. */
+/* Allocate or free the arrays by column. */
 static fmb_status hold_columns(fmb_basis *b, bool get)
 {
     const size_t n = b->capacity;
@@ -46,7 +46,7 @@ void fmb_basis_clear(fmb_basis *b)
     fmb_dense_inverse_clear(&b->inverse, b->mem);
 }
 
-/* Columns lie by row, so each row moves. */
+/* Columns are stored row by row, so each row moves. */
 fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
 {
     fmb_basis old = *b;

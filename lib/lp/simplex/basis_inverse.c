@@ -5,11 +5,11 @@
 
 #include "base/ways.h"
 
-/* Up to so many columns there is an inverse. */
+/* Up to this many columns the inverse is explicit. */
 #define FEW_COLUMNS 100
-/* Less than this times the largest is no pivot. */
+/* Entries below this, relative to the largest, are no pivots. */
 #define DEPENDENT 1e-9
-/* Exchanges after which errors have gathered in an inverse. */
+/* Exchanges after which errors have accumulated in an inverse. */
 #define STALE 100
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -57,7 +57,7 @@ static void write_in_inverse(const fmb_basis_inverse *c, size_t i, fmb_indexed_v
         fmb_dense_inverse_add_term(&c->inverse, (size_t)m.column[t], m.value[t], entry->at);
 }
 
-/* Take in member i, unless it depends on others. */
+/* Put member i into the basis unless it depends on others. */
 static void span_member(fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
 {
     double largest = 0;
@@ -123,7 +123,7 @@ void fmb_basis_inverse_write(fmb_basis_inverse *c, size_t i, fmb_indexed_vector 
     fmb_updated_lu_solve_transposed(&c->lu, &c->work, entry);
 }
 
-/* What is not zero, on its way through the factors. */
+/* Load the nonzeros for a solution with the factors. */
 static void load_work(fmb_basis_inverse *c, const double *from)
 {
     for (size_t k = 0; k < c->n; k++)

@@ -1,7 +1,7 @@
 /* columns.c: see columns.h. */
 #include "lp/simplex/columns.h"
 
-/* At least such a share of all coefficients is not zero, and all have room. */
+/* Least share of nonzeros for dense storage, and most entries of that. */
 #define DENSE      0.3
 #define MOST_DENSE ((size_t)1 << 22)
 
@@ -44,7 +44,7 @@ static fmb_status fill_sparse_columns(fmb_columns *c)
     return FMB_OK;
 }
 
-/* Rows first, ... in columns of that capacity. */
+/* Copy the rows from number `first` on into dense columns. */
 static fmb_status fill_dense_columns(fmb_columns *c, size_t first)
 {
     const fmb_scaled_program *f = c->f;
@@ -79,7 +79,7 @@ fmb_status fmb_columns_grow(fmb_columns *c)
     return st;
 }
 
-/* How many terms the columns have in which x is not zero; counting stops at most. */
+/* The number of terms in columns where x is nonzero; counting stops at `most`. */
 static size_t count_touched_terms(const fmb_columns *c, const fmb_indexed_vector *x, size_t most)
 {
     size_t terms = 0;

@@ -37,7 +37,7 @@ void fmb_dense_inverse_restart(fmb_dense_inverse *v, size_t n)
     }
 }
 
-/* Short vectors are not worth a call. */
+/* For short vectors a function call would not pay. */
 static inline void add_multiple(const fmb_dense_inverse *v, double *restrict to,
                                 const double *restrict from, double factor)
 {

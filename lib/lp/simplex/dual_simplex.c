@@ -1,9 +1,9 @@
 /* dual_simplex.c: the dual method; see simplex_methods.h.
  *
- * The row that is violated most comes in, and a member leaves whose multiplier would be the first
- * to become negative; a unit vector before any other. Each row that comes in with a multiplier of
- * about 0 has the cost grow a little along it, at random: so each step gains, and no vertex
- * comes twice.
+ * The most violated row enters, and the member leaves whose multiplier would be the first to become
+ * negative; a unit vector leaves before any other member. For each row that enters with a
+ * multiplier of about 0, the cost is increased a little along it, at random: so each step makes
+ * progress, and no vertex comes twice.
  *
  * Source: Lemke 1954, The dual method of solving the linear programming problem; Harris 1973, Pivot
  * selection methods of the Devex LP code.
@@ -14,20 +14,20 @@
 
 #define PATIENCE_OF_DUAL 200
 
-/* Multipliers may become negative by so much; less than this times the largest entry is no pivot.
+/* Multipliers may be negative by this much; entries below this times the largest are no pivots.
  */
 static double find_zero_of_multipliers(const fmb_simplex_state *o)
 {
     return o->f->sharp ? 1e-12 : 1e-9;
 }
 
-/* Likewise, of a unit vector, which need not go. */
+/* Likewise for a unit vector, which need not leave. */
 static double find_zero_of_units(const fmb_simplex_state *o)
 {
     return o->f->sharp ? 1e-12 : 1e-7;
 }
 
-/* By how much row i, outside and on, is violated; 0 if not by more than rounding errors. */
+/* The violation of row i, outside of the basis and not off; 0 if it may be a rounding error. */
 static inline double find_excess(const fmb_simplex_state *o, size_t i)
 {
     double excess = o->row_role[i] == FMB_ROLE_EQUAL ? fabs(o->slack[i]) : -o->slack[i];
@@ -53,14 +53,14 @@ static void list_all_violated(fmb_simplex_state *o)
         list_if_violated(o, i);
 }
 
-/* After a step along the edge. */
+/* List newly violated rows after a step along the edge. */
 static void list_newly_violated(fmb_simplex_state *o)
 {
     for (size_t t = 0; t < fmb_indexed_vector_count(&o->rate); t++)
         list_if_violated(o, fmb_indexed_vector_key(&o->rate, t));
 }
 
-/* The row that is violated most, in the sense of Devex; FMB_NOWHERE: all hold. Rows that hold leave
+/* The most violated row by Devex weights; FMB_NOWHERE: all hold. Rows that hold are removed from
  * the list. */
 static size_t find_violated_row(fmb_simplex_state *o)
 {
@@ -81,8 +81,8 @@ static size_t find_violated_row(fmb_simplex_state *o)
     return best;
 }
 
-/* What the entries of a row say, in one look: the largest, the largest of a unit vector; and which
- * multipliers of inequalities fall when the row comes in with this sign are listed. */
+/* The entries of a row in the basis: the largest, the largest at a unit vector; o->falling lists
+ * the multipliers of inequalities that decrease when the row enters with this sign. */
 typedef struct entries {
     double largest, of_unit;
     size_t unit, falling;
@@ -105,8 +105,8 @@ static entries look_at_entries(fmb_simplex_state *o, double sign)
     return e;
 }
 
-/* Of the members whose multiplier soon becomes negative when the row comes in with this sign, the
- * one with the largest entry. */
+/* The leaving member: of those whose multiplier soon becomes negative as the row enters with this
+ * sign, the one with the largest entry. */
 static size_t find_leaving_member(const fmb_simplex_state *o, size_t falling, double sign,
                                   double zero)
 {
@@ -137,7 +137,7 @@ static size_t find_leaving_place(fmb_simplex_state *o, double sign)
                : find_leaving_member(o, e.falling, sign, find_zero_of_multipliers(o) * e.largest);
 }
 
-/* How much each slack changes where the others do. */
+/* Update the Devex weights of rows. */
 static void update_row_weights(fmb_simplex_state *o, size_t r, size_t i)
 {
     double own = o->row_weight[i], pivot = o->entry.at[r];
@@ -182,7 +182,7 @@ static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, siz
     return st;
 }
 
-/* What an end says is looked at once more from a basis computed afresh. */
+/* The result is checked once more with a recomputed basis. */
 fmb_status fmb_dual_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
 {
     bool fresh = true;

@@ -1,20 +1,20 @@
 /* first_basis.c: see first_basis.h.
  *
- * A column that only one row of a list of equalities has is lone. Such a row leaves the list: it
- * comes into the basis for the bound of a lone column, if that is the member which the dual method
- * would let go, or stays outside. So do all that are left in the end, without a lone column.
+ * A column in only one row of a list of equalities is lone. Such a row is removed from the list: it
+ * enters the basis in place of the bound of a lone column, if the dual method would let that member
+ * leave, or stays outside. So do all rows that finally have no lone column.
  *
- * Theorem. Each row that comes in is a step of the dual method, and is written in the basis as in
- * the program.
+ * Theorem. Each row that enters is a step of the dual method, and is written in the basis as in the
+ * program.
  *
  * Proof. Columns whose bounds have left are in no row of the list: each was lone. So a row of the
  * list has only columns whose bounds are members, and is the combination of those. When its own
- * lone column moves away from its bound, columns whose bounds left before follow, and no others.
- * No row of the list has any of these, so all of the list are as tight as they were at first; nor
- * do multipliers of rows that came in before change, as they are no part of the combination. So
- * slacks of the first vertex, and multipliers that are kept up to date, are those of the method.
+ * lone column moves away from its bound, columns whose bounds left before follow, and no others. No
+ * row of the list has any of these, so all rows of the list are as tight as initially; nor do
+ * multipliers of rows that entered before change, as they are not in the combination. So the slacks
+ * of the first vertex, and multipliers that are updated, are those of the method.
  *
- * The members are a triangle, in the order in which they came in.
+ * The members are a triangle, in the order in which they entered.
  *
  * Source: Bixby 1992, Implementing the simplex method: The initial basis.
  */
@@ -24,7 +24,7 @@
 
 #include "base/arrays.h"
 
-/* A pivot is at least this large, where the largest of its row is about 1. */
+/* Least pivot, where the largest entry of its row is about 1. */
 #define LEAST_PIVOT 0.1
 /* Multipliers may become negative by so much. */
 #define SLIP 1e-9
@@ -33,9 +33,9 @@ typedef struct equality_list {
     fmb_simplex_state *o;
     size_t *member;     /* [n] by place, which is the column */
     int *count;         /* [n] rows of the list that have the column */
-    size_t *sum;        /* [n] of their numbers: where there is one, that row */
-    int *lone;          /* [n] columns that were found to be lone, not looked at yet */
-    size_t lones, rows; /* rows that came in */
+    size_t *sum;        /* [n] sum of the numbers of these rows: if there is one, that row */
+    int *lone;          /* [n] columns found to be lone, not processed yet */
+    size_t lones, rows; /* rows: number of rows that entered */
 } equality_list;
 
 static void note_if_lone(equality_list *t, int j)
@@ -83,7 +83,7 @@ static void drop_row(equality_list *t, size_t i)
 
 /* ---- one step -------------------------------------------------------------------------------- */
 
-/* Row i written in the basis, at the place of the column of its term k. */
+/* Entry of row i, written in the basis, at the place of the column of its term k. */
 static double find_entry(const equality_list *t, size_t i, size_t k)
 {
     const fmb_scaled_program *f = t->o->f;
@@ -92,8 +92,8 @@ static double find_entry(const equality_list *t, size_t i, size_t k)
     return old < FMB_UNIT ? a / f->value[f->start[old]] : a;
 }
 
-/* How fast the multiplier there falls as row i comes in with this sign, and from where; one that
- * has to be 0 leaves it at once. */
+/* The rate at which the multiplier there decreases as row i enters with this sign, and its start;
+ * one that must be 0 may leave at once. */
 static double find_fall(const equality_list *t, size_t i, size_t k, double sign, double *from)
 {
     const fmb_simplex_state *o = t->o;
@@ -104,8 +104,8 @@ static double find_fall(const equality_list *t, size_t i, size_t k, double sign,
     return may_fall ? entry : o->member_role[j] == FMB_ROLE_FREE ? fabs(entry) : 0;
 }
 
-/* The term of row i at whose column the member leaves, of those that soon become negative the one
- * with the largest coefficient; SIZE_MAX: no such column is lone. */
+/* The term of row i whose column's member leaves: of those that soon become negative the one with
+ * the largest coefficient, among lone columns; SIZE_MAX: there is none. */
 static size_t find_leaving_term(const equality_list *t, size_t i, double sign)
 {
     const fmb_scaled_program *f = t->o->f;
@@ -127,7 +127,7 @@ static size_t find_leaving_term(const equality_list *t, size_t i, double sign)
     return best;
 }
 
-/* Row i comes in for the member at the column of its term k. */
+/* Put row i in place of the member at the column of its term k. */
 static void take_row(equality_list *t, size_t i, size_t k)
 {
     const int *column = fmb_scaled_program_columns(t->o->f, i);
@@ -140,7 +140,7 @@ static void take_row(equality_list *t, size_t i, size_t k)
 
 /* ---- all steps ------------------------------------------------------------------------------- */
 
-/* A row that is tight already may come in either way. */
+/* A row that is already tight may enter with either sign. */
 static void take_or_drop_row(equality_list *t, size_t i)
 {
     double slack = t->o->slack[i], sign = slack < 0 ? 1 : -1;

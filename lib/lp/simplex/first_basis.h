@@ -1,4 +1,4 @@
-/* first_basis.h: puts equalities into the first basis without a factored solution for each. */
+/* first_basis.h: puts equalities into the first basis without solving with the basis for each. */
 #ifndef FMB_LP_FIRST_BASIS_H
 #define FMB_LP_FIRST_BASIS_H
 

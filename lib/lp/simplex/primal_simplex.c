@@ -1,8 +1,8 @@
 /* primal_simplex.c: the primal method; see simplex_methods.h.
  *
- * The point follows the edge that gains most for its length, in the sense of Devex, until a row
- * stops it: of those that come soon the one that it meets most squarely. Where it stands still for
- * long, the rows are moved away a little at random.
+ * The point follows the edge of the largest gain for its length, by Devex weights, until a row
+ * stops it: of those reached soon the one with the largest rate. If the point does not move for
+ * long, right sides are perturbed a little at random.
  *
  * Source: Dantzig 1955, Upper bounds, secondary constraints, and block triangularity; Harris 1973,
  * Pivot selection methods of the Devex LP code; Wolfe 1963, A technique for resolving degeneracy in
@@ -12,15 +12,15 @@
 
 #include "lp/simplex/simplex_methods.h"
 
-/* A rate that is less stops nothing; nor does one that is less than this times the largest, which
- * may be rounding errors. */
+/* Rows with smaller rates do not stop the point; nor do rates below ROUNDING times the largest,
+ * which may be rounding errors. */
 #define NO_STOP  1e-9
 #define ROUNDING 1e-14
-/* Steps without a gain, besides the number of columns, after which rows are moved, and how far. */
+/* Right sides are perturbed, by MOVE, after this many steps plus columns without a gain. */
 #define PATIENCE 50
 #define MOVE     1e-6
 
-/* The place of the edge that gains most; FMB_NOWHERE: none gains. */
+/* The place of the edge with the largest gain; FMB_NOWHERE: none gains. */
 static size_t find_steepest_edge(const fmb_simplex_state *o)
 {
     double most = 0, zero = fmb_simplex_state_tolerance(o);
@@ -46,7 +46,7 @@ static double find_largest_rate(const fmb_simplex_state *o)
     return largest;
 }
 
-/* How fast the way along the edge, with this sign, comes to row i: 0 if it does not. */
+/* The rate at which the edge, with this sign, approaches row i; <= 0 if it does not. */
 static inline double find_approach(const fmb_simplex_state *o, size_t i, double sign)
 {
     double rate = o->rate.at[i];
@@ -55,7 +55,7 @@ static inline double find_approach(const fmb_simplex_state *o, size_t i, double 
                                               : 0;
 }
 
-/* How far the row is. */
+/* The distance to row i. */
 static inline double find_distance(const fmb_simplex_state *o, size_t i)
 {
     return o->row_role[i] == FMB_ROLE_EQUAL ? 0 : fmax(o->slack[i], 0);
@@ -84,7 +84,7 @@ static size_t find_stopping_row(const fmb_simplex_state *o, double sign)
     return best;
 }
 
-/* How long each edge is. */
+/* Update the Devex weights of edges. */
 static void update_edge_weights(fmb_simplex_state *o, size_t r)
 {
     double pivot = o->entry.at[r], scale = o->edge_weight[r] / (pivot * pivot);
@@ -96,7 +96,7 @@ static void update_edge_weights(fmb_simplex_state *o, size_t r)
     o->edge_weight[r] = fmax(1, scale);
 }
 
-/* Let the rows stand a little farther away, each by a share of its own. */
+/* Relax the inequalities a little, each by its own random share. */
 static fmb_status move_right_sides(fmb_simplex_state *o)
 {
     o->moved = true;
@@ -106,9 +106,9 @@ static fmb_status move_right_sides(fmb_simplex_state *o)
     return fmb_simplex_state_refresh(o);
 }
 
-/* The row that stops the way along edge r, written in the basis, or FMB_NOWHERE. *stale: its pivot
- * is doubtful, and may not be where the basis is computed afresh. Where it just was, the row is
- * passed over: all that is seen of it is rounding errors. */
+/* The row that stops the point on edge r, written in the basis, or FMB_NOWHERE. *stale: its pivot
+ * is doubtful, and may not be so with a recomputed basis. If the basis was just recomputed, the row
+ * is skipped: its rate is a rounding error. */
 static size_t find_certain_row(fmb_simplex_state *o, size_t r, bool *stale)
 {
     fmb_simplex_state_look_along(o, r);

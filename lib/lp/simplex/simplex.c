@@ -1,13 +1,13 @@
 /* simplex.c: see simplex.h.
  *
- * The search is the dual method. While the value of some basic unknown is out of its range, it
- * leaves for the end that it has passed, and an unknown comes in whose own way from its end brings
- * it back there; the largest such entry keeps the numbers good. If there is none, the row of the
- * inverse is a hyperplane with all that is possible on one side and the target on the other
- * (Farkas). Where there is a cost, the unknown is one that keeps all gains from being positive, up
- * to rounding, and the one that leaves is the farthest out for the length of its edge (steepest
+ * The search is the dual method. While the value of some basic unknown is out of its range, that
+ * unknown leaves for the bound that it has passed, and an unknown enters that brings it back when
+ * moved from its own bound; the largest such pivot is stable. If there is none, the row of the
+ * inverse is a hyperplane with all possible sums on one side and the target on the other (Farkas).
+ * With a cost, the entering unknown is one that keeps all gains from becoming positive, up to
+ * rounding, and the leaving one has the largest violation for the length of its edge (steepest
  * edge). Consecutive targets start from each other's bases. The primal method goes from vertex to
- * vertex by the greatest gain. Both might cycle: they give up after a number of steps.
+ * vertex by the largest gain. Both might cycle: they give up after a number of steps.
  *
  * Source: Dantzig 1955, Upper bounds, secondary constraints, and block triangularity; Lemke 1954,
  * The dual method of solving the linear programming problem; Harris 1973, Pivot selection methods
@@ -19,14 +19,14 @@
 #include <math.h>
 #include <string.h>
 
-/* Pivots after which errors have gathered. */
+/* Pivots after which errors have accumulated. */
 #define STALE 100
-/* Gains may become positive by so much. */
+/* Gains may become positive by this much. */
 #define SLIP 1e-9
 
 /* ---- values ---------------------------------------------------------------------------------- */
 
-/* The target less what stands high. */
+/* The target minus the columns at their upper bounds. */
 static const double *subtract_high_columns(fmb_basis *b, const double *target)
 {
     if (b->highs == 0)
@@ -53,7 +53,7 @@ static void put_at_end(fmb_basis *b, size_t j, bool high)
 
 /* ---- costs ----------------------------------------------------------------------------------- */
 
-/* Does what stands at place r count? Unit vectors do if they have a cost. */
+/* Is the unknown at place r bounded? Unit vectors are if they have a cost. */
 static inline bool is_bounded(const fmb_basis *b, size_t r)
 {
     return b->basic[r] == SIZE_MAX ? b->has_cost : b->range[b->basic[r]] != FMB_RANGE_FREE;
@@ -69,7 +69,7 @@ static inline double cost_of_place(const fmb_basis *b, const double *cost, size_
     return b->basic[r] == SIZE_MAX ? b->unit_cost : cost[b->basic[r]];
 }
 
-/* In four sums, so that none waits for the other. */
+/* In four independent sums, for parallel execution. */
 static double dot_product(const double *a, const double *c, size_t d)
 {
     double sum[4] = {0};
@@ -100,7 +100,7 @@ static void find_gains(fmb_basis *b, const double *cost, const double *y)
             b->kernels->accumulate(b->gain, &b->at[k * b->capacity], b->size, -y[k]);
 }
 
-/* Squares of the lengths of edges; four at a time, so that none waits for the other. */
+/* Squared lengths of edges; four at a time, for parallel execution. */
 static void measure_edges(fmb_basis *b)
 {
     size_t d = b->d, r = 0;
@@ -119,7 +119,7 @@ static void measure_edges(fmb_basis *b)
     }
 }
 
-/* Column j took the place of `old`, whose row of the inverse was priced. */
+/* Update the gains after column j has replaced `old`, whose row of the inverse is in `price`. */
 static void update_gains(fmb_basis *b, size_t j, size_t old, double pivot)
 {
     double way = fmin(b->gain[j], 0) / pivot;
@@ -147,7 +147,7 @@ static bool is_expensive(const fmb_basis *b)
 
 /* ---- the dual method ------------------------------------------------------------------------- */
 
-/* The place whose value is most out of its range; that of the banned column is not to be there. */
+/* The place whose value is farthest out of its range; the banned column's must be 0. */
 static size_t find_leaving(const fmb_basis *b, size_t banned)
 {
     size_t worst = SIZE_MAX;
@@ -168,7 +168,7 @@ static size_t find_leaving(const fmb_basis *b, size_t banned)
     return worst;
 }
 
-/* How much column j, that may come in, helps. */
+/* How much column j helps if it enters. */
 static inline double find_help(const fmb_basis *b, size_t j, double sign)
 {
     double a = sign * b->price[j];
@@ -187,7 +187,7 @@ static size_t list_candidates(fmb_basis *b, double sign, double least, size_t ba
     return count;
 }
 
-/* How far the gains let a column come in if they may become positive by as little as rounding
+/* How far the gains allow a column to be moved if they may become positive within rounding
  * errors. */
 static double find_longest_step(const fmb_basis *b, double sign, size_t candidates)
 {
@@ -201,7 +201,7 @@ static double find_longest_step(const fmb_basis *b, double sign, size_t candidat
     return step;
 }
 
-/* The column that best takes place r. */
+/* The column that enters best at place r. */
 static size_t find_entering(fmb_basis *b, size_t r, size_t banned)
 {
     const double *row = b->edge;
@@ -232,7 +232,7 @@ static void read_normal(fmb_basis *b, size_t r)
         b->normal[k] = sign * b->inverse.at[k * b->d + r];
 }
 
-/* Column j, just written, takes place r, whose own leaves for an end: all values with it. */
+/* Put column j, just written, at place r, whose column leaves for a bound; updates all values. */
 static void pivot_columns(fmb_basis *b, size_t r, size_t j, double end)
 {
     double from = b->is_high[j], way = (b->value[r] - end) / b->entry[r];
@@ -242,7 +242,7 @@ static void pivot_columns(fmb_basis *b, size_t r, size_t j, double end)
     b->value[r] = from + way;
 }
 
-/* A column that is no longer to be used leaves the basis for whatever fits. */
+/* Remove columns that may not be used any more from the basis, in favour of any that fit. */
 static void expel_zero_columns(fmb_basis *b)
 {
     for (size_t r = 0; r < b->d; r++) {
@@ -263,7 +263,7 @@ static void expel_zero_columns(fmb_basis *b)
     }
 }
 
-/* Without a cost values are computed afresh before they are believed. */
+/* Without a cost, values are recomputed before a result is accepted. */
 fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned, fmb_run *run,
                               fmb_guess *out)
 {
@@ -311,7 +311,7 @@ fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned,
 
 /* ---- the primal method ----------------------------------------------------------------------- */
 
-/* The column that gains most when it leaves its end, or SIZE_MAX. */
+/* The column with the largest gain when it leaves its bound, or SIZE_MAX. */
 static size_t find_best_gain(const fmb_basis *b)
 {
     double most = b->value_zero;
@@ -326,8 +326,8 @@ static size_t find_best_gain(const fmb_basis *b)
     return best;
 }
 
-/* How far the value of a basic unknown may go up or down until it is at an end; to the near one if
- * it is outside, and nothing stops it on its way farther out. */
+/* How far the value of a basic unknown may go up or down until it is at a bound; to the nearer
+ * bound if it is outside, and unlimited on its way farther out. */
 static double find_room(double value, bool is_unit, bool up, bool *high)
 {
     *high = up ? value >= 0 : is_unit && value > 1;
@@ -336,7 +336,7 @@ static double find_room(double value, bool is_unit, bool up, bool *high)
     return up ? *high - value : value - *high;
 }
 
-/* Prices as column j, just written, takes place r. */
+/* Update the prices for column j, just written, at place r. */
 static void update_prices(fmb_basis *b, size_t r, size_t j, double *y)
 {
     double way = b->gain[j] / b->entry[r];
@@ -345,8 +345,8 @@ static void update_prices(fmb_basis *b, size_t r, size_t j, double *y)
         y[k] += way * b->edge[k];
 }
 
-/* Move unknown j from its end until a basic one comes to an end, or j to its other one. False: it
- * goes on for ever. */
+/* Move unknown j from its bound until a basic one reaches a bound, or j its other one. False: the
+ * move is unbounded. */
 static bool leave_end(fmb_basis *b, size_t j, double *y)
 {
     bool is_unit = b->range[j] == FMB_RANGE_UNIT, high = false, end;

@@ -6,7 +6,7 @@
 
 #include "base/arrays.h"
 
-/* Rows of the basis that are off by more show that it is inexact. */
+/* Larger errors in rows of the basis show that it is inexact. */
 #define INEXACT 1e-8
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -77,7 +77,7 @@ fmb_status fmb_simplex_state_grow(fmb_simplex_state *o)
 
 /* ---- the basis ------------------------------------------------------------------------------- */
 
-/* Of a row outside of the basis. */
+/* The role of a row outside of the basis. */
 void fmb_simplex_state_note_role(fmb_simplex_state *o, size_t i)
 {
     o->row_role[i] = o->f->off[i]                              ? FMB_ROLE_FREE
@@ -85,7 +85,7 @@ void fmb_simplex_state_note_role(fmb_simplex_state *o, size_t i)
                                                                : FMB_ROLE_LESS;
 }
 
-/* The member at place r is noted as such. */
+/* Set the roles for the member at place r. */
 static void note_member(fmb_simplex_state *o, size_t r)
 {
     size_t i = o->basis.member[r];
@@ -116,7 +116,7 @@ void fmb_simplex_state_find_point(fmb_simplex_state *o)
     fmb_basis_inverse_point(&o->basis, o->given, &o->edge);
 }
 
-/* Slacks from the basis; how far its rows are off. */
+/* Compute the slacks from the basis; returns the largest error in its rows. */
 static double find_slacks(fmb_simplex_state *o)
 {
     double most = 0;
@@ -198,7 +198,7 @@ void fmb_simplex_state_add_to_cost(fmb_simplex_state *o, size_t r, double part)
 
 /* ---- rows that are switched off -------------------------------------------------------------- */
 
-/* The row outside that the way along the edge meets first, either way, or FMB_NOWHERE. */
+/* The row outside of the basis nearest along the edge, either way, or FMB_NOWHERE. */
 static size_t find_nearest_row(const fmb_simplex_state *o)
 {
     double least = INFINITY, most = 0;
@@ -218,7 +218,7 @@ static size_t find_nearest_row(const fmb_simplex_state *o)
     return best;
 }
 
-/* The unit vector that best takes place r. */
+/* Put the unit vector with the best pivot at place r. */
 static fmb_status pivot_to_unit(fmb_simplex_state *o, size_t r)
 {
     size_t best = fmb_indexed_vector_key(&o->edge, 0), old = o->basis.member[r];

@@ -1,9 +1,9 @@
 /* centre.c: see centre.h.
  *
- * Newton's method with the barrier sum_i -log(b_i - a_i.x), whose steps are cut to the best length
- * along their way. Where the first point is outside, all rows are moved out by t, which is then
- * pulled down against the barrier until the rows themselves hold. A polyhedron that goes on for
- * ever has no centre: x is kept in a cube around the first point inside.
+ * Newton's method with the barrier sum_i -log(b_i - a_i.x) and exact line search. If the first
+ * point is outside, all rows are relaxed by t, which is then reduced against the barrier until the
+ * rows themselves hold. An unbounded polyhedron has no centre: x is kept in a cube around the first
+ * point inside.
  */
 #include "lp/redundancy/ray_shooting/centre.h"
 
@@ -13,16 +13,16 @@
 
 #include "base/arrays.h"
 
-/* Newton steps at most, and the decrement below which x is near enough to the centre. */
+/* Most Newton steps, and the decrement below which x is near enough to the centre. */
 #define MOST_PULLS    60
 #define MOST_STEPS    16
 #define NEAR_A_CENTRE 0.1
-/* Rows for each column from which steps pay: among few rows any point inside serves as well. */
+/* Rows per column from which these steps pay: with fewer rows any point inside serves as well. */
 #define CROWDED 24
-/* The pull on t, times this at each centre; and where it ends. */
+/* The weight of t grows by HARDER near each centre, up to HARDEST. */
 #define HARDER  16.0
 #define HARDEST 1e12
-/* Cubes to look in: each so much larger than the one before. */
+/* Cubes to search in: each is LARGER times the one before, up to LARGEST. */
 #define LARGER  0x1p10
 #define LARGEST 0x1p40
 /* Half the cube's side, as a multiple of the rows' median distance. */
@@ -62,7 +62,7 @@ static void find_row_slacks(fmb_centre *c, size_t n, const fmb_kernels *kernels)
             kernels->accumulate(c->slack, &c->at[k * c->m], c->m, -c->x[k]);
 }
 
-/* sum_i a_ij a_ik scale_i; in four sums, so that none waits for the other. */
+/* sum_i a_ij a_ik scale_i; in four independent sums, for parallel execution. */
 static double weighted_product(const double *a, const double *b, const double *scale, size_t m)
 {
     double sum[4] = {0};
@@ -75,7 +75,7 @@ static double weighted_product(const double *a, const double *b, const double *s
     return sum[0] + sum[1] + (sum[2] + sum[3]);
 }
 
-/* What the cube adds along axis k: first and second derivatives of its barrier. */
+/* First and second derivatives of the cube's barrier along axis k. */
 static double cube_pull(const fmb_centre *c, size_t k, double *bend)
 {
     double up = c->room - (c->x[k] - c->middle[k]), down = 2 * c->room - up;
@@ -83,7 +83,7 @@ static double cube_pull(const fmb_centre *c, size_t k, double *bend)
     return 1 / up - 1 / down;
 }
 
-/* half = the second derivative, way = minus the first one. */
+/* half = the second derivative, way = minus the gradient. */
 static void differentiate_barrier(fmb_centre *c, size_t n, double pull)
 {
     double *scale = c->speed;
@@ -110,7 +110,7 @@ static void differentiate_barrier(fmb_centre *c, size_t n, double pull)
     }
 }
 
-/* Cholesky's half in place; what is nearly 0 on the diagonal becomes a little more. */
+/* Cholesky factor in place; nearly zero diagonal entries are increased a little. */
 static void factor_into_half(fmb_centre *c, size_t n)
 {
     size_t wide = c->n + 1;
@@ -129,7 +129,7 @@ static void factor_into_half(fmb_centre *c, size_t n)
     }
 }
 
-/* way = H^-1 way; the square of the decrement, that is how far the step goes as H measures it. */
+/* way = H^-1 way; returns the squared Newton decrement, the length of the step in the norm of H. */
 static double solve_for_way(fmb_centre *c, size_t n)
 {
     size_t wide = c->n + 1;
@@ -152,7 +152,7 @@ static double solve_for_way(fmb_centre *c, size_t n)
 
 static double way_to_nearest_row(const fmb_centre *c)
 {
-    double most = 0; /* of speed over slack */
+    double most = 0; /* largest speed over slack */
     for (size_t i = 0; i < c->m; i++)
         most = c->speed[i] > most * c->slack[i] ? c->speed[i] / c->slack[i] : most;
     for (size_t k = 0; k < c->n && c->room > 0; k++) {
@@ -162,7 +162,7 @@ static double way_to_nearest_row(const fmb_centre *c)
     return most > 0 ? 1 / most : 1e30;
 }
 
-/* Slope and bend of the barrier at that length. */
+/* First and second derivatives of the barrier at that length. */
 static double slope_at(const fmb_centre *c, double length, double *bend)
 {
     double slope = *bend = 0;
@@ -180,7 +180,7 @@ static double slope_at(const fmb_centre *c, double length, double *bend)
     return slope;
 }
 
-/* Where the barrier and the pull on the last of n columns are least along the way. */
+/* The length that minimizes barrier and weighted t (the last of n columns) along the way. */
 static double find_best_length(const fmb_centre *c, size_t n, double pull)
 {
     double low = 0, high = 0.99 * way_to_nearest_row(c), length = high < 1 ? 0.9 * high : 1;
@@ -221,7 +221,7 @@ static double least_row_slack(const fmb_centre *c)
     return least;
 }
 
-/* Do the rows hold where they are, by more than rounding errors? */
+/* Do the rows hold without t, by more than rounding errors? */
 static bool is_inside_without_t(const fmb_centre *c)
 {
     double least = least_row_slack(c) - c->x[c->n], size = 1e-300;
@@ -230,7 +230,7 @@ static bool is_inside_without_t(const fmb_centre *c)
     return least > 1e-13 * size;
 }
 
-/* Pull t down until the rows hold by themselves, in a cube of that room. */
+/* Reduce t until the rows themselves hold, in a cube with this `room`. */
 static fmb_status pull_rows_back(fmb_centre *c, fmb_run *run, double room, bool *inside)
 {
     size_t wide = c->n + 1;
@@ -253,7 +253,7 @@ static fmb_status pull_rows_back(fmb_centre *c, fmb_run *run, double room, bool 
     return FMB_OK;
 }
 
-/* In a cube that holds all rows, then in larger ones as long as x leans against the walls. */
+/* Search a cube that contains all rows, then larger ones as long as x is near the walls. */
 static fmb_status find_some_inside(fmb_centre *c, fmb_run *run, bool *inside)
 {
     fmb_status st = FMB_OK;
@@ -277,7 +277,7 @@ static int compare_doubles(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* From about the median of the rows' distances. */
+/* The cube's size is a multiple of about the median distance of the rows. */
 static void build_cube(fmb_centre *c)
 {
     double some[64];

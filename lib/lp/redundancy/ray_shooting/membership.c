@@ -1,29 +1,29 @@
 /* membership.c: see membership.h.
  *
  * The least sum of z >= 0 with sum_j z_j q_j = q is a program in columns (simplex.h), and w are its
- * prices: each point j allows w the half-space w.q_j <= 1, and a basis is n points whose
+ * prices: each point j restricts w to the half-space w.q_j <= 1, and a basis is n points whose
  * hyperplanes meet in the vertex w. For a new q the dual method goes from vertex to vertex, always
- * up, until the sum is above 1 or no value is negative. A point that is added may cut the vertex
- * off: the primal method then finds one that is left, the highest in a direction that the old one
- * was highest in.
+ * upwards, until the sum is above 1 or no value is negative. A new point may cut off the vertex:
+ * then the primal method finds a remaining one, the highest in a direction for which the old one
+ * was highest.
  */
 #include "lp/redundancy/ray_shooting/membership.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Less is taken for the rounding error of 0: points are not longer than about 1, and w neither. */
+/* Smaller numbers count as rounding errors of 0: points and w are not longer than about 1. */
 #define ROUNDING 1e-9
-/* Pivots are larger than this, where edges have length 1. */
+/* Least pivot, if edges have length 1. */
 #define LEAST_PIVOT 1e-8
-/* A rise that is no rounding error, likewise. */
+/* Least slope that is no rounding error, likewise. */
 #define LEAST_SLOPE 1e-6
-/* Room for points at first. */
+/* Initial capacity for points. */
 #define FIRST_POINTS 64
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-/* The corner of the cube on the side of q, or any. */
+/* Start from the corner of the cube on the side of q, or from any (q NULL). */
 static void start_from_cube(fmb_membership *g, const double *q)
 {
     for (size_t k = 0; k < g->n; k++)
@@ -72,7 +72,7 @@ void fmb_membership_resize_cube(fmb_membership *g, double cube)
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
-/* w is where all basic hyperplanes meet, w.q_j = 1. */
+/* w = the common point of all basic hyperplanes, w.q_j = 1. */
 static void find_vertex(fmb_membership *g)
 {
     fmb_simplex_find_prices(&g->basis, g->basis.cost, g->w);
@@ -80,8 +80,8 @@ static void find_vertex(fmb_membership *g)
         g->way[k] = g->w[k] = -g->w[k];
 }
 
-/* From the vertex on, where no hyperplane stops it, until q is outside; false if it gets there by
- * rounding errors. */
+/* Go from the vertex along the edge that no hyperplane stops, until q is outside; false if the
+ * slope may be a rounding error. */
 static bool goes_beyond(fmb_membership *g, const double *q)
 {
     const double *normal = g->basis.normal;
@@ -135,8 +135,8 @@ void fmb_membership_forget(fmb_membership *g)
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
-/* A target that the vertex is the highest one for, a sum of all basic points, no two of them alike:
- * from there back behind all hyperplanes. False: it was stuck. */
+/* Choose a target for which the vertex is highest, a sum of all basic points with distinct factors,
+ * and go from there to a vertex behind all hyperplanes. False: the search was stuck. */
 static bool go_behind_points(fmb_membership *g)
 {
     fmb_basis *b = &g->basis;
@@ -157,7 +157,7 @@ static bool go_behind_points(fmb_membership *g)
     return done;
 }
 
-/* Once more from the cube if the search is stuck: errors may have gathered. */
+/* If the search is stuck, restart from the cube: errors may have accumulated. */
 fmb_status fmb_membership_ask(fmb_membership *g, const double *q, fmb_run *run,
                               fmb_side_of_hull *out)
 {

@@ -1,4 +1,4 @@
-/* polar_points_open.c: see polar_points.h. Where the point inside comes from:
+/* polar_points_open.c: see polar_points.h. The interior point comes from
  * lp/redundancy/ray_shooting/centre.h. */
 #include "lp/redundancy/ray_shooting/polar_points.h"
 
@@ -77,8 +77,8 @@ static int coefficient_bits(const fmb_polar_points *p, size_t i)
     return (int)bits;
 }
 
-/* Rows of length about 1, columns with a largest entry of about 1. False if a right side is beyond
- * doubles. */
+/* Load rows scaled to length about 1, columns to a largest entry of about 1. False if a right side
+ * is beyond doubles. */
 static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
 {
     for (size_t i = 0; i < p->m; i++) {
@@ -111,8 +111,8 @@ static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
 
 /* ---- the point ------------------------------------------------------------------------------- */
 
-/* Binary places behind the point at which rounding does not reach a row: every coordinate moves by
- * less than a quarter of what the row's slack allows. */
+/* Binary places for which rounding does not reach a row: every coordinate changes by less than a
+ * quarter of what the row's slack allows. */
 static int places_needed(const fmb_centre *c)
 {
     double most = 0;
@@ -127,8 +127,8 @@ static int places_needed(const fmb_centre *c)
     return places;
 }
 
-/* x / 2^shift = the centre, rounded. Column k counts 2^exponent[k], so its x as much less. False
- * if that is beyond doubles. */
+/* x / 2^shift = the centre, rounded. As column k is multiplied by 2^exponent[k], its x is divided
+ * by that. False if the result is beyond doubles. */
 static bool round_centre(fmb_polar_points *p, const fmb_centre *c)
 {
     int places = places_needed(c);
@@ -160,8 +160,8 @@ void fmb_polar_points_slack(const fmb_polar_points *p, size_t i, mpz_t slack, mp
     }
 }
 
-/* 2^(shift + more) / slack of row i, to two roundings if it is a normal number; 0 where the point
- * is not strictly inside of it. */
+/* 2^(shift + more) / slack of row i, with two roundings if it is a normal number; 0 if the point is
+ * not strictly inside of the row. */
 static double inverse_slack(const fmb_polar_points *p, size_t i, int more, mpz_t slack, mpz_t t)
 {
     long bits;
@@ -172,9 +172,9 @@ static double inverse_slack(const fmb_polar_points *p, size_t i, int more, mpz_t
     return ldexp(1 / head, p->shift + more - (int)bits);
 }
 
-/* The polar points, by row; false where the point is not strictly inside, or numbers are too large
- * or too small: then no entry of a row that is not 0 is taken for 0, and what underflows in an
- * entry is less than 2^-594 of the length, which itself is rounded like a sum. */
+/* Compute the polar points, by row; false if the point is not strictly inside, or numbers are too
+ * large or too small: otherwise no nonzero entry became 0, and an underflow in an entry is less
+ * than 2^-594 of the length, which itself has the rounding errors of a sum. */
 static bool see_rows(fmb_polar_points *p)
 {
     bool inside = true;

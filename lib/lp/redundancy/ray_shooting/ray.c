@@ -6,7 +6,7 @@
 
 #include "base/arrays.h"
 
-/* Bits of the coordinates of a direction: short ones make points of few digits. */
+/* Bits of the coordinates of a direction: short ones give points with few digits. */
 #define FEW_BITS  20
 #define MOST_BITS 52
 
@@ -54,8 +54,8 @@ static void turn_to_scaled_columns(fmb_ray *r, const double *way)
     }
 }
 
-/* Round the direction to so many bits; way / 2^unit is the same, exactly, in columns as they are.
- * False if it is 0, or so large or small that rates might overflow or underflow. */
+/* Round the direction to so many bits; way / 2^unit is the same direction, exactly, in unscaled
+ * columns. False if it is 0, or so large or small that rates might overflow or underflow. */
 static bool round_direction(fmb_ray *r, int bits)
 {
     const fmb_polar_points *p = r->p;
@@ -66,7 +66,7 @@ static bool round_direction(fmb_ray *r, int bits)
     if (!(most > 0x1p-400 && most < 0x1p400))
         return false;
     frexp(most, &top);
-    for (size_t k = 0; k < p->d; k++) /* column k counts 2^exponent, so its way as much less */
+    for (size_t k = 0; k < p->d; k++) /* columns are scaled by 2^exponent, directions inversely */
         least = k == 0 || -p->exponent[k] < least ? -p->exponent[k] : least;
     for (size_t k = 0; k < p->d; k++) {
         double whole = nearbyint(ldexp(r->scaled[k], bits - top));
@@ -85,13 +85,13 @@ static double larger_of(double a, double b)
     return a > b ? a : b;
 }
 
-/* What the rate at a place may be at most or, with -error, must be at least. */
+/* The upper bound of the rate at a place or, with -error, the lower bound. */
 static double rate_bound(const fmb_ray *r, size_t at, double error)
 {
     return r->rate[at] + error * r->p->size[at];
 }
 
-/* The largest bound of places in a block; in four maxima, so that none waits for the other. */
+/* The largest bound in a block; in four independent maxima, for parallel execution. */
 static double largest_rate_bound(const fmb_ray *r, size_t from, size_t to, double error)
 {
     double most[4] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -109,8 +109,8 @@ static size_t end_of_block(const fmb_ray *r, size_t b)
     return (b + 1) * FMB_SPATIAL_BLOCK < r->p->m ? (b + 1) * FMB_SPATIAL_BLOCK : r->p->m;
 }
 
-/* If a block reaches far enough, find its rates, and from them its bound; sure: some rate is at
- * least that. */
+/* Unless a block's bound is too small, compute its rates, and from them its bound; *sure: some rate
+ * is at least that. */
 static void look_at_block(fmb_ray *r, size_t b, double error, double *sure)
 {
     const fmb_polar_points *p = r->p;
@@ -126,7 +126,7 @@ static void look_at_block(fmb_ray *r, size_t b, double error, double *sure)
         *sure = larger_of(*sure, largest_rate_bound(r, from, to, -error));
 }
 
-/* Of a block that was looked at, the rows that may be the first; false if they are too many. */
+/* List the rows of a visited block that may be first; false if there are too many. */
 static bool try_rows_of_block(fmb_ray *r, size_t b, double error, double sure)
 {
     for (size_t at = b * FMB_SPATIAL_BLOCK; at < end_of_block(r, b); at++) {
@@ -141,7 +141,7 @@ static bool try_rows_of_block(fmb_ray *r, size_t b, double error, double sure)
     return true;
 }
 
-/* No rate in a block is larger than its bound; the block with the largest. */
+/* Bound the rates of each block; returns the block with the largest bound. */
 static size_t bound_blocks(fmb_ray *r, double length, double error)
 {
     const fmb_polar_points *p = r->p;
@@ -156,8 +156,8 @@ static size_t bound_blocks(fmb_ray *r, double length, double error)
     return best;
 }
 
-/* The rows that may be the first; true if some row is met for sure. Error of a rate: of its
- * entries, four roundings; of the sum, one for each. */
+/* List the rows that may be first; true if some row is certainly met. Error of a rate: four
+ * roundings for its entries, and one for each summand. */
 static bool list_first_rows(fmb_ray *r)
 {
     const fmb_polar_points *p = r->p;
@@ -181,8 +181,8 @@ static bool list_first_rows(fmb_ray *r)
     return sure > 0;
 }
 
-/* When the ray meets a row: slack / speed, both positive. Not in lowest terms: a divisor of long
- * numbers takes longer than all that is asked of the time. */
+/* The time when the ray meets a row: slack / speed, both positive. Not in lowest terms: a gcd of
+ * long numbers would take longer than all uses of the time. */
 typedef struct meeting {
     mpz_t slack, speed;
 } meeting;
@@ -226,7 +226,7 @@ static bool exact_time(const fmb_ray *r, size_t i, meeting *time)
     return mpz_sgn(time->speed) > 0;
 }
 
-/* Of the rows tried, those that are met first go to the front: their number; 0 at a limit, too. */
+/* Move the rows met first to the front of those tried; returns their number; 0 also at a limit. */
 static size_t compare_first_times(fmb_ray *r)
 {
     size_t firsts = 0;
@@ -255,7 +255,7 @@ static size_t compare_first_times(fmb_ray *r)
     return st == FMB_OK ? firsts : 0;
 }
 
-/* Shoot in the direction at hand; *tie: several rows are met at once. */
+/* Shoot in the rounded direction; *tie: several rows are met at once. */
 static size_t shoot_rounded(fmb_ray *r, bool *tie)
 {
     bool sure = list_first_rows(r);
@@ -266,14 +266,14 @@ static size_t shoot_rounded(fmb_ray *r, bool *tie)
     return firsts == 1 ? r->tried[0] : SIZE_MAX;
 }
 
-/* Fixed numbers, no two of them alike. */
+/* Pseudorandom numbers from -1 to 1, always the same. */
 static double number_between(uint32_t *h)
 {
     *h = *h * 1664525u + 1013904223u;
     return (double)(*h >> 8) / (1 << 23) - 1;
 }
 
-/* scaled = way, turned a little. */
+/* scaled = way, slightly perturbed. */
 static void turn_aside(fmb_ray *r, const double *way, uint32_t *h)
 {
     double square = 0;
@@ -304,8 +304,8 @@ size_t fmb_ray_shoot(fmb_ray *r, const double *way, bool roughly)
 
 /* ---- points beyond --------------------------------------------------------------------------- */
 
-/* When the next row is met, or a little before; 0 / 0 if none is. Rates that are less than 2^-1000
- * are rounding errors. */
+/* The time when the next row is met, or a little before; 0 / 0 if none is. Rates below 2^-1000 are
+ * rounding errors. */
 static void next_time(const fmb_ray *r, meeting *next)
 {
     meeting time;
@@ -329,7 +329,7 @@ static void next_time(const fmb_ray *r, meeting *next)
     close_meeting(&time);
 }
 
-/* The least multiple of 2^-bits above low, as `whole` of these; is it below high? */
+/* The least multiple of 2^-bits above low, as the integer `whole`; is it below high? */
 static bool is_multiple_between(mpz_t whole, const meeting *low, const meeting *high,
                                 mp_bitcnt_t bits)
 {
@@ -347,12 +347,12 @@ static bool is_multiple_between(mpz_t whole, const meeting *low, const meeting *
     return below;
 }
 
-/* A number of few digits between low and high: a multiple of the largest power of two that has
- * one. Half of that has one, too, so a search by halves finds it. */
+/* A number with few digits between low and high: a multiple of the largest power of two that has
+ * one there. If a power has one, so has its half; so binary search finds the largest. */
 static fmb_status find_time_between(fmb_run *run, mpq_t time, const meeting *low,
                                     const meeting *high)
 {
-    mp_bitcnt_t none = 0, some = 0; /* below `none` bits there is none; with `some` there is one */
+    mp_bitcnt_t none = 0, some = 0; /* up to `none` bits there is none; with `some` there is one */
     mpz_ptr whole = mpq_numref(time);
     while (!is_multiple_between(whole, low, high, some)) {
         none = some + 1;
@@ -373,7 +373,7 @@ static fmb_status find_time_between(fmb_run *run, mpq_t time, const meeting *low
     return FMB_OK;
 }
 
-/* x = the point at the time. */
+/* x = the point of the ray at that time. */
 static void go_along(const fmb_ray *r, mpq_t time, mpq_t *x)
 {
     const fmb_polar_points *p = r->p;

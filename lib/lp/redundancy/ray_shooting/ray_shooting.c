@@ -1,11 +1,10 @@
 /* ray_shooting.c: see ray_shooting.h.
  *
- * One thread tests all rows, and each test knows of all vertices found before. Several take groups
- * of a fixed size, each with vertices of its own, so that what is found does not depend on how many
- * threads there are, or on which of them was faster: rows of a group stand next to each other, and
- * so do the vertices around them. What they find is noted, and told afterwards in order. Of
- * parallel rows but one is left before: else each of two in different groups might go for the
- * other.
+ * One thread tests all rows, and each test uses all vertices found before. Several threads take
+ * groups of a fixed size, each with its own vertices, so that results depend neither on the number
+ * of threads nor on their speed: rows of a group are neighbours, and so are the vertices around
+ * them. Results are noted, and reported in order afterwards. Parallel rows but one are removed
+ * first: otherwise each of two in different groups might be removed because of the other.
  */
 #include "lp/redundancy/ray_shooting/ray_shooting.h"
 
@@ -49,13 +48,13 @@ static fmb_status sort_rows(const fmb_ray_shooting *s, fmb_run *run, fmb_fate *f
     return st;
 }
 
-/* ---- what was found about rows, noted to be told later --------------------------------------- */
+/* ---- results for rows, noted to be reported later -------------------------------------------- */
 
 typedef struct logged_result {
     size_t row;
     bool kept;
     fmb_weights weights; /* the proof of a row that is redundant, */
-    mpq_t *x;            /* [n] or the point of one that is not; none where nobody was told */
+    mpq_t *x;            /* [n] or the point of one that is not; unless not wanted */
 } logged_result;
 
 typedef struct result_log {
@@ -63,10 +62,10 @@ typedef struct result_log {
     size_t n;
     logged_result *item; /* [count] */
     size_t count, room;
-    fmb_verdicts listener; /* notes what it is told, with proofs */
+    fmb_verdicts listener; /* notes results with their proofs */
 } result_log;
 
-/* Note what became of a row, without a proof. Errors: MEMORY, LIMIT. */
+/* Note the fate of a row, without a proof. Errors: MEMORY, LIMIT. */
 static fmb_status result_log_note(result_log *f, size_t row, fmb_fate fate)
 {
     FMB_TRY(FMB_RESERVE(f->mem, &f->item, &f->room, f->count + 1));
@@ -93,7 +92,7 @@ static fmb_status note_irredundant_row(void *self, size_t i, mpq_t *x)
     return FMB_OK;
 }
 
-/* None. f must not move. */
+/* An empty log. f must not move. */
 static void result_log_begin(result_log *f, fmb_mem *mem, size_t n)
 {
     *f = (result_log){.mem = mem, .n = n};
@@ -111,8 +110,8 @@ static void result_log_end(result_log *f)
         fmb_mem_put(f->mem, f->item, f->room, sizeof *f->item);
 }
 
-/* Set fate[m] and tell of those rows that are UNKNOWN there; told may be NULL. Errors: those of
- * told. */
+/* Set fate[m] for the noted rows that are UNKNOWN there, and report these; told may be NULL.
+ * Errors: those of told. */
 static fmb_status result_log_tell(result_log *f, fmb_fate *fate, const fmb_verdicts *told)
 {
     for (size_t k = 0; k < f->count; k++) {
@@ -135,7 +134,7 @@ typedef struct sort_job {
     result_log *found; /* [groups] */
 } sort_job;
 
-/* With fates of its own, which begin as they are. */
+/* Sort a group with a copy of the fates. */
 static fmb_status sort_group(void *self, size_t number, fmb_run *run)
 {
     const sort_job *all = self;
@@ -156,7 +155,7 @@ static fmb_status sort_group(void *self, size_t number, fmb_run *run)
     return st;
 }
 
-/* Tells what was found, in order, then says what went wrong first. */
+/* Report the results in order, then return the first error. */
 static fmb_status sort_all_groups(fmb_ray_shooting *s, result_log *found, size_t groups)
 {
     fmb_team team;

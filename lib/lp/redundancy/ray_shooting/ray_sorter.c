@@ -1,11 +1,11 @@
 /* ray_sorter.c: see ray_sorter.h.
  *
- * Seen from the point inside (polar_points.h), a row is irredundant if its point is a vertex of the
- * hull of all points and 0, and redundant if it lies in the hull of others. So each row is asked
- * whether it lies in the hull of the vertices known so far. If it does, the vertices around it are
- * solved for exactly: a proof. If not, some direction tells it from them, and the point farthest in
- * that direction is a new vertex: a ray proves it. So no test looks at more points than there are
- * vertices. Source: Clarkson 1994, More output-sensitive geometric algorithms.
+ * Seen from the interior point (polar_points.h), a row is irredundant if its point is a vertex of
+ * the hull of all points and 0, and redundant if it is in the hull of others. So each row is tested
+ * for membership in the hull of the known vertices. If it is inside, the vertices around it are
+ * solved for exactly: a proof. If not, some direction separates it from them, and the point
+ * farthest in that direction is a new vertex: a ray proves it. So no test uses more points than
+ * there are vertices. Source: Clarkson 1994, More output-sensitive geometric algorithms.
  */
 #include "lp/redundancy/ray_shooting/ray_sorter.h"
 
@@ -16,17 +16,17 @@
 #include "num/gcd.h"
 #include "num/rationals.h"
 
-/* Values below are taken for 0, and are tried for what they are if that fails. */
+/* Smaller values count as 0, and are used as they are if that fails. */
 #define NEARLY_NONE 1e-9
 #define LOOK_CLOSER 1e-14
-/* The cube of the membership program; how much larger it becomes when an artificial point is
- * needed, and how large. */
+/* The cube of the membership program, the factor by which it grows if an artificial point is
+ * needed, and its largest size. */
 #define FIRST_CUBE  64.0
 #define LARGER_CUBE 64.0
 #define LAST_CUBE   0x1p42
-/* Vertices that are looked at as fast as a ray is shot, beside those that it looks at itself. */
+/* Testing this many vertices takes as long as shooting a ray, apart from the ray's own blocks. */
 #define MANY_KNOWN 1024
-/* With more vertices than that, a test looks at those near the row. */
+/* With more vertices than this, a test uses those near the row. */
 #define MOST_ACTIVE(d) (64 + 5 * (d))
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -94,7 +94,7 @@ static void aim_at_point(fmb_ray_sorter *s, size_t i)
     fmb_polar_points_round_point(s->points, i, s->target);
 }
 
-/* Into the membership program, if there is room; at the cost of points that are not in its basis.
+/* Add row i to the membership program; if that is full, points outside of its basis are removed.
  */
 static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
 {
@@ -119,7 +119,7 @@ static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
     return st;
 }
 
-/* The last ray met row i alone. */
+/* Keep row i, which the last ray met alone. */
 static fmb_status keep_row(fmb_ray_sorter *s, size_t i)
 {
     s->fate[i] = FMB_FATE_KEPT;
@@ -138,7 +138,7 @@ static fmb_status keep_row(fmb_ray_sorter *s, size_t i)
 
 /* ---- one row --------------------------------------------------------------------------------- */
 
-/* score = the target times each known vertex; the largest. */
+/* score = the product of the target with each known vertex; returns the largest. */
 static double score_known_rows(fmb_ray_sorter *s)
 {
     double most[4] = {0};
@@ -156,8 +156,8 @@ static double score_known_rows(fmb_ray_sorter *s)
     return fmax(fmax(most[0], most[1]), fmax(most[2], most[3]));
 }
 
-/* Is the target farther in its own direction than all known vertices? Where they are many, a ray
- * finds out sooner. */
+/* Is the target farther in its own direction than all known vertices? If these are many, a ray is
+ * faster. */
 static bool does_target_stick_out(fmb_ray_sorter *s)
 {
     double square = 0;
@@ -189,7 +189,7 @@ static fmb_status tell_of_combination(fmb_ray_sorter *s, size_t i)
     return st;
 }
 
-/* Does the sum that reaches the target need an artificial point? */
+/* Does the combination for the target need an artificial point? */
 static bool is_cube_needed(const fmb_ray_sorter *s)
 {
     for (size_t r = 0; r < s->points->d; r++)
@@ -199,7 +199,7 @@ static bool is_cube_needed(const fmb_ray_sorter *s)
     return false;
 }
 
-/* Prove row i by the points of the basis that have more than this. */
+/* Prove row i by the points of the basis with larger values than this. */
 static fmb_status prove_by_basis(fmb_ray_sorter *s, size_t i, double least)
 {
     size_t size = 0;
@@ -222,8 +222,8 @@ static fmb_status prove_implied(fmb_ray_sorter *s, size_t i)
     return s->fate[i] == FMB_FATE_UNKNOWN ? prove_by_basis(s, i, -INFINITY) : FMB_OK;
 }
 
-/* The membership program says that row i is implied. If no proof comes of it, values that were
- * taken for 0 may have been negative. */
+/* The membership program finds row i implied. If that cannot be proved, values taken for 0 may have
+ * been negative. */
 static fmb_status prove_or_look_closer(fmb_ray_sorter *s, size_t i, fmb_side_of_hull *side)
 {
     double zero = s->membership.zero;
@@ -236,7 +236,7 @@ static fmb_status prove_or_look_closer(fmb_ray_sorter *s, size_t i, fmb_side_of_
     return st == FMB_OK && *side == FMB_HULL_INSIDE ? prove_implied(s, i) : st;
 }
 
-/* Shoot; *progress: a row not known or not active so far was met. */
+/* Shoot a ray; *progress: it met a row that was unknown or not active so far. */
 static fmb_status shoot_for_vertex(fmb_ray_sorter *s, const double *way, bool *progress)
 {
     size_t hit = fmb_ray_shoot(&s->ray, way, true);
@@ -250,7 +250,7 @@ static fmb_status shoot_for_vertex(fmb_ray_sorter *s, const double *way, bool *p
     return activate_row(s, hit);
 }
 
-/* Ask the membership program about row i, and act upon what it says. */
+/* Query the membership program for row i, and act on its answer. */
 static fmb_status ask_about_row(fmb_ray_sorter *s, size_t i, bool *progress)
 {
     fmb_side_of_hull side;
@@ -268,7 +268,7 @@ static fmb_status ask_about_row(fmb_ray_sorter *s, size_t i, bool *progress)
     return shoot_for_vertex(s, s->membership.way, progress);
 }
 
-/* Most vertices are farther in their own directions than those known by then. */
+/* Most vertices are farther in their own directions than all known vertices. */
 static fmb_status shoot_along_normals(fmb_ray_sorter *s, size_t from, size_t to)
 {
     for (size_t at = from; at < to; at++) {

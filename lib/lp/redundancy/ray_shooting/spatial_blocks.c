@@ -1,15 +1,14 @@
-/* spatial_blocks.c: polar points in an order in which neighbours are near each other; see
- * polar_points.h.
+/* spatial_blocks.c: sorts polar points so that neighbours are near each other; see polar_points.h.
  *
- * Points are split in two along the axis on which they are spread most, and each half again (a k-d
- * tree: Bentley 1975), until a block is left. Of a block, a ball is known that holds it.
+ * Points are split in two along the axis of their largest spread, and each half again (a k-d tree:
+ * Bentley 1975), down to single blocks. Each block has an enclosing ball.
  */
 #include <math.h>
 #include <string.h>
 
 #include "lp/redundancy/ray_shooting/polar_points.h"
 
-/* Coordinate k of the point that stands at a place. */
+/* Coordinate k of the point at a place. */
 static double coordinate_at(const fmb_polar_points *p, size_t k, size_t at)
 {
     return p->point_at[k * p->m + p->order[at]];
@@ -41,7 +40,7 @@ static void swap_places(fmb_polar_points *p, size_t a, size_t b)
     p->order[b] = t;
 }
 
-/* Smaller coordinates before the place `middle`, larger ones behind it (Hoare 1961, Find). */
+/* Move smaller coordinates before the place `middle`, larger ones behind it (Hoare 1961, Find). */
 static void select_by_coordinate(fmb_polar_points *p, size_t k, size_t from, size_t to,
                                  size_t middle)
 {
@@ -104,7 +103,7 @@ static void enclose_block(fmb_polar_points *p, size_t b)
     p->radius[b] = sqrt(most) + 0x1p-40 * p->reach[b];
 }
 
-/* values[i] of row i goes to where the row stands; round points are not there yet. */
+/* Move values[i] of row i to the place of the row; there are no round points yet. */
 static void put_in_order(const fmb_polar_points *p, double *values)
 {
     double *scratch = p->round;
