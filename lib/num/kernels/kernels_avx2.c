@@ -6,7 +6,7 @@
 
 #define AVX2 __attribute__((target("avx2")))
 
-/* Four words. Unaligned: sets begin where they like. */
+/* Four words. Unaligned, as sets may begin at any word. */
 AVX2 static inline __m256i load_avx2(const void *p)
 {
     return _mm256_loadu_si256(p);
@@ -85,7 +85,7 @@ AVX2 static inline uint64_t join(__m256i all)
     return (uint64_t)_mm_cvtsi128_si64(two) | (uint64_t)_mm_extract_epi64(two, 1);
 }
 
-/* There is no product of 64 bits here, but one of the low halves. */
+/* AVX2 has no product of 64 bits, only one of the low halves. */
 AVX2 static uint64_t combine_narrow_words_avx2(int64_t *dst, const int64_t *a, const int64_t *b,
                                                size_t n, int64_t p, int64_t q)
 {

@@ -81,7 +81,7 @@ AVX512 static uint64_t combine_narrow_words_avx512(int64_t *dst, const int64_t *
     return (uint64_t)_mm512_reduce_or_epi64(all);
 }
 
-/* A product and a sum, not a fused one: every level gives the same numbers. */
+/* A product and a sum, not fused, so that every level gives the same numbers. */
 AVX512 static void add_multiple_avx512(double *out, const double *x, size_t n, double y)
 {
     const __m512d vy = _mm512_set1_pd(y);
