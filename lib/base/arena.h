@@ -16,12 +16,12 @@ typedef struct fmb_arena {
 } fmb_arena;
 
 void fmb_arena_init(fmb_arena *a, fmb_mem *mem);
-/* count * size bytes, aligned to 16, not zeroed; NULL: fmb_mem_status says why. */
+/* count * size bytes, aligned to 16, not zeroed; NULL on failure: see fmb_mem_status. */
 void *fmb_arena_get(fmb_arena *a, size_t count, size_t size);
 #define FMB_ARENA_GET(a, p, count)                                                                 \
     ((p) = fmb_arena_get(a, count, sizeof *(p)), (p) ? FMB_OK : fmb_mem_status((a)->mem))
-/* Make *p, an array of *capacity elements in the arena, hold at least need: it moves, and the old
- * place is lost until the reset, so capacity doubles. Errors: MEMORY, LIMIT. */
+/* Make *p, an array of *capacity elements in the arena, hold at least need: it moves, and its old
+ * memory is unused until the reset, so capacity doubles. Errors: MEMORY, LIMIT. */
 fmb_status fmb_arena_reserve(fmb_arena *a, void **p, size_t *capacity, size_t need, size_t size);
 #define FMB_ARENA_RESERVE(a, p, capacity, need)                                                    \
     fmb_arena_reserve(a, (void **)(p), capacity, need, sizeof **(p))

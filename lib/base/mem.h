@@ -2,8 +2,8 @@
  *
  * Invariants: used is the sum of all live blocks and charges [bytes], used <= limit when limit > 0.
  * The limbs of GMP integers come from GMP's allocator; their owners charge them here, so that a
- * limit on bytes counts them too. What is charged to a mem that stands within another counts there
- * as well: so one limit holds for the sum of a query's workspace, evidence and results.
+ * limit on bytes includes them. A charge to a mem within another one counts there as well: so one
+ * limit holds for the sum of a query's workspace, evidence and results.
  */
 #ifndef FMB_BASE_MEM_H
 #define FMB_BASE_MEM_H
