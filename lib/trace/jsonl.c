@@ -64,7 +64,7 @@ static void print_history(FILE *out, const fmb_row_event *r)
     fputc(']', out);
 }
 
-/* Without histories there is nothing to say about them. */
+/* Print nothing about histories if there are none. */
 static void print_derived_row(FILE *out, const fmb_row_event *r)
 {
     static const char *const MINIMAL[] = {"null", "false", "true"};

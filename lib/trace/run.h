@@ -47,7 +47,7 @@ void fmb_run_end(fmb_run *run, fmb_verdict v);
 typedef struct fmb_share {
     fmb_mem mem;
     fmb_run run;
-    fmb_status st; /* of what was done */
+    fmb_status st; /* the status of the share's work */
 } fmb_share;
 
 /* The share must not move. */
