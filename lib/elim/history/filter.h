@@ -37,8 +37,8 @@ uint64_t *fmb_filter_bits(fmb_filter *f, size_t uppers, fmb_mem *mem);
 /* The row at the end of the store is trivial: is its history kept, as it may cover others? */
 fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept);
 
-/* Pairs of a row with the round's upper rows upper[0..uppers): set their bit in drop where the
- * union of the two histories has more than `most` base rows, or where it covers a third row's.
+/* For pairs of a row with the upper rows upper[uppers] of the round: set the bit in drop if the
+ * union of the two histories has more than `most` base rows, or if it covers a third row's history.
  * Errors: MEMORY, LIMIT. */
 fmb_status fmb_filter_drop_larger(fmb_elim *e, uint32_t row, const uint32_t *upper, size_t uppers,
                                   int most, uint64_t *drop);

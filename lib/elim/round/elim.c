@@ -107,7 +107,7 @@ static fmb_status substitute_equality(fmb_elim *e, uint32_t q, int var)
 
 /* ---- by pairing ------------------------------------------------------------------------------ */
 
-/* Does var stand in live rows with either sign? */
+/* Is var in live rows with either sign? */
 static bool stands_with_both_signs(const fmb_elim *e, int var)
 {
     bool lower = false, upper = false;

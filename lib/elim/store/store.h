@@ -26,11 +26,11 @@
 
 typedef struct fmb_derived {
     fmb_vec v;
-    uint64_t *history; /* [words] of the base in force when it was made, then [var_words] variables
+    uint64_t *history; /* [words] of the base at that time, then [var_words] variables effectively
                           eliminated */
     uint64_t *names;   /* [var_words] the variables in the row */
     uint32_t p, q;     /* parents; FMB_NO_ROW for a base row; q alone: the reverse of p */
-    int32_t var;       /* the variable they cancelled */
+    int32_t var;       /* the variable that p and q cancelled */
     bool strict, equality;
     bool lowest; /* known to be primitive */
 } fmb_derived;
@@ -93,7 +93,7 @@ typedef struct fmb_box_rows {
     int64_t *end[2];  /* [side][n]: unit times the end */
     int64_t unit;
     int bits;        /* bound on those of every end, unit and room */
-    bool any;        /* there is an end */
+    bool any;        /* is there an end? */
     uint32_t budget; /* base row sum s_j x_j <= c over variables with an end where s_j x_j is
                         least, some without the other end; FMB_NO_ROW: none */
     int64_t room;    /* unit times (c - the least of sum s_j x_j) >= 0 */
@@ -111,7 +111,7 @@ typedef struct fmb_elim {
     fmb_chooser chooser;
     fmb_worker worker[FMB_MAX_RULES];
     int workers;
-    bool histories;     /* some rule needs them */
+    bool histories;     /* does some rule need them? */
     uint64_t constants; /* trivial rows of this round */
 
     fmb_derived *row;
@@ -124,9 +124,9 @@ typedef struct fmb_elim {
     int *candidate; /* [n] scratch of order.c */
 
     bool cheap_only; /* stop before rows would become more: set it after init */
-    double growth;   /* > 0: the budget is used up before a variable that makes so many times more
-                       rows than are alive, unless the box holds it (elim.c), and where more than
-                       twice `flat` rows are alive: set both after init */
+    double growth;   /* > 0: over_budget before a variable without both box ends that makes more
+                       rows than so many times the live ones (elim.c), or if more than twice
+                       `flat` rows are live: set both after init */
     size_t flat;
     size_t judged;    /* rows before it were seen by rules at the end of a round */
     size_t budget;    /* most rows of the store, 0 = any number: set it after init */
