@@ -54,7 +54,7 @@ typedef struct fmb_insertion_chunk {
 struct fmb_insertion_workers {
     fmb_team team;
     size_t m;
-    const fmb_vec *row; /* whose values are taken */
+    const fmb_vec *row; /* the row whose values are computed */
     fmb_insertion_chunk chunk[FMB_INSERTION_CHUNKS];
 };
 

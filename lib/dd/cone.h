@@ -33,8 +33,8 @@ typedef struct fmb_cone_problem {
     size_t d, m;
     const fmb_cone_row *row; /* [m] */
     size_t keeps;
-    const size_t *keep; /* [keeps] the coordinates to carry; NULL: all, and rows come in their
-                           order, in which equalities are first */
+    const size_t *keep; /* [keeps] the coordinates to carry; NULL: all, and rows are inserted in
+                           their order, equalities first */
     bool wide_only;
     bool sparse_first; /* of carried rows, insert those with few coefficients first */
 } fmb_cone_problem;
@@ -51,7 +51,7 @@ typedef struct fmb_cone {
     size_t *row_of_bit; /* [m] */
     /* Rows not inserted yet. Carried: entry coords + c of a vector is its value in row left[c]. */
     size_t lefts, *left;
-    size_t *negatives;        /* [lefts] how many rays are negative there */
+    size_t *negatives;        /* [lefts] number of rays negative in that row */
     size_t *weight;           /* [m] rows of less weight come first */
     size_t next;              /* not carried: the next row to insert */
     uint64_t made;            /* rays made so far; wide ones count more */

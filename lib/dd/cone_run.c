@@ -101,7 +101,7 @@ void fmb_cone_clear(fmb_cone *c)
     c->run = NULL;
 }
 
-/* ---- which row comes next -------------------------------------------------------------------- */
+/* ---- the next row to insert ------------------------------------------------------------------ */
 
 /* The line with the least nonzero value in the row of that entry; SIZE_MAX if there is none. */
 static size_t find_line_meeting_row(const fmb_cone *c, size_t entry)
