@@ -61,9 +61,9 @@ typedef struct fmb_facets {
     fmb_vec g;                                /* [d] the generator being added, */
     double *near;                             /* [d] and in doubles */
     mpz_t *minor;                             /* [2^d] scratch, or NULL */
-    uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch: those that the last
-                                                 generator removed, had on its hyperplane, and made;
-                                                 free slots */
+    uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch: visible from the
+                                                 last generator, touched by it, new ones; free
+                                                 slots */
     size_t seens, toucheds, mades, unuseds;
     size_t seen_capacity, touched_capacity, made_capacity, unused_capacity;
     uint64_t *common; /* [common_words] scratch */

@@ -1,25 +1,25 @@
 /* facets_roughly.c: normals in doubles, with error bounds; see facets.h.
  *
  * Invariant: |roughly_j| <= 1, and for some s > 0, |s normal_j - roughly_j| + |roughly_j| (d + 8)
- * 2^-51 <= off_j <= MOST, if off_j is roughly_{d + j}; or some off_j is not finite.
+ * 2^-51 <= off_j <= MOST, where off_j is roughly_{d + j}; or some off_j is not finite.
  *
- * Underflow. A product that underflows is off by 2^-1075 at most; sums and differences are exact
- * where they are that small. An entry of a normal or of near may have become 0 while it counts: if
- * entries spread widely, as those of points far out do, the others are small, too.
+ * Underflow. A product that underflows has an error of at most 2^-1075; sums and differences are
+ * exact if they are that small. A relevant entry of a normal or of near may have become 0: if
+ * entries spread widely, as those of distant points do, the other entries are small, too.
  *
- * Theorem. Let near_j = t g_j up to a factor within 1 +- 2^-50, and up to 2^-1073, t > 0. Then
- * sum_j roughly_j near_j, as it is computed, and s t normal.g differ by no more than sum_j off_j
- * |near_j| + LEAST, computed with some room, if all of this is finite.
- * Proof. Products and sums round d + 1 times, near is off by eight times 2^-53: that is less than
- * |roughly_j| (d + 8) 2^-51 |near_j|. What near is off by besides counts for less than (1 + MOST) d
- * 2^-1073, and what underflows in the 2 d products for less than d 2^-1074: both are less than
- * LEAST, as d < 2^60. The bound itself, of positive terms, rounds d + 2 times.
+ * Theorem. Let near_j = t g_j up to a factor within 1 +- 2^-50, and up to 2^-1073, t > 0. Then the
+ * computed sum_j roughly_j near_j and s t normal.g differ by no more than sum_j off_j |near_j| +
+ * LEAST, computed with some room, if all of this is finite. Proof. Products and sums round d + 1
+ * times, near has an error of eight times 2^-53: that is less than |roughly_j| (d + 8) 2^-51
+ * |near_j|. The other error of near contributes less than (1 + MOST) d 2^-1073, and underflow in
+ * the 2 d products less than d 2^-1074: both are less than LEAST, as d < 2^60. The bound itself, of
+ * positive terms, rounds d + 2 times.
  *
- * Theorem. If n is off by e_n and has the value p, off by w_p, and v likewise e_v, q and w_q, then
- * |q| n + p v is off by (|q| + w_q) e_n + w_q |n| + (p + w_p) e_v + w_p |v|; its three roundings
- * an entry are what off_j has beside e_j, and more. Its own products and those of e_j underflow
- * by less than six times 2^-1075, which LEAST beside e_j has, and its scaling by 2^-1075, which
- * LEAST beside off_j has (and which a scale less than 1 would not leave of the other).
+ * Theorem. If n has errors e_n and the value p, with error w_p, and v likewise e_v, q and w_q, then
+ * |q| n + p v has an error of (|q| + w_q) e_n + w_q |n| + (p + w_p) e_v + w_p |v|; its three
+ * roundings an entry are less than the part of off_j beside e_j. Its own products and those of e_j
+ * underflow by less than six times 2^-1075, less than LEAST beside e_j, and its scaling by 2^-1075,
+ * less than LEAST beside off_j (a scale below 1 might shrink the other LEAST too much).
  */
 #include "base/ways.h"
 #include <math.h>
@@ -28,9 +28,9 @@
 
 /* Bounds are computed in doubles, too. */
 #define ROOM (1 + 0x1p-40)
-/* Less than this is not told from what underflowed. */
+/* Smaller numbers cannot be distinguished from underflow. */
 #define LEAST 0x1p-900
-/* More than this times what underflowed may be told from it. */
+/* A larger multiple of an underflow might be distinguished from it. */
 #define MOST 0x1p100
 
 void fmb_facets_round(const fmb_vec *v, size_t n, double *out)
@@ -79,7 +79,7 @@ void fmb_facets_combine_roughly(fmb_facets *f, fmb_facet *a, const fmb_facet *n,
                n->off * fabs(rv[j]);
         most = fmax(most, fabs(r[j]));
     }
-    bool lost = !(most > LEAST && most < INFINITY); /* what underflows may count */
+    bool lost = !(most > LEAST && most < INFINITY); /* underflow may matter */
     frexp(lost ? 1 : most, &exponent);
     double scale = ldexp(1, -exponent);
     for (size_t j = 0; j < f->d; j++) {

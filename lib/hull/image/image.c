@@ -40,7 +40,7 @@ typedef struct sorted_ray {
     uint64_t *support;
     const fmb_vec *above;
     size_t n;
-    int64_t first; /* entry, or the nearest number to it: mostly tells the order */
+    int64_t first; /* first entry, or the nearest int64: mostly decides the order */
 } sorted_ray;
 
 static int64_t first_entry_or_near(const fmb_vec *v)

@@ -19,7 +19,7 @@
 #define MANY_RAYS      12
 #define MANY_LONG_RAYS 5
 
-/* ---- what is above a facet ------------------------------------------------------------------- */
+/* ---- the preimage of a facet ----------------------------------------------------------------- */
 
 static void add_to_slack(fmb_image *m, uint64_t *to, const uint64_t *from)
 {

@@ -24,7 +24,7 @@ typedef struct fmb_section {
     size_t rank;
     fmb_vec *base;  /* [rank] rows in echelon form: */
     size_t *pivot;  /* [rank] base[i] is not 0 here, later rows are */
-    size_t *chosen; /* [rank] the independent rows that they come from */
+    size_t *chosen; /* [rank] the independent rows, by number */
     fmb_integers w; /* [d] 0 except at pivots */
     size_t gone;    /* the column eliminated by w.x = 1, */
     int *column;    /* [rank - 1] and the columns of the program */

@@ -1,4 +1,4 @@
-/* support_next.c: which facet is asked about next; see support.h. */
+/* support_next.c: which facet is queried next; see support.h. */
 #include "hull/support/support_private.h"
 
 static bool is_open(const fmb_facet *a)

@@ -44,7 +44,7 @@ static bool is_on_missing_face(const lattice *l, const uint64_t *set)
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
-/* l->h = the sum of the normals of all facets that hold the set. */
+/* l->h = the sum of the normals of all facets that contain the set. */
 static fmb_status add_normals_around(lattice *l, const uint64_t *set)
 {
     mpz_t t;
@@ -83,7 +83,7 @@ static fmb_status find_missing_points(lattice *l)
 {
     fmb_support_row row;
     fmb_status st = FMB_OK;
-    uint64_t *one = l->face; /* there are none yet */
+    uint64_t *one = l->face; /* not in use yet */
     for (size_t i = 0; st == FMB_OK && i < l->f->generators; i++) {
         if (fmb_vec_sgn(&l->f->generator[i], 0) == 0)
             continue;
