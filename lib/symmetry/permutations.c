@@ -104,7 +104,7 @@ fmb_status fmb_permutations_add(fmb_permutations *p, const int *image)
         return FMB_ERR_ARG;
     p->error[0] = '\0';
     if (p->dim == 0)
-        return FMB_OK; /* there is nothing to move */
+        return FMB_OK; /* there are no variables to permute */
     if (!image) {
         snprintf(p->error, sizeof p->error, "image is NULL");
         return FMB_ERR_ARG;
