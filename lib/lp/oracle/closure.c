@@ -168,7 +168,7 @@ fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *e
     return *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : FMB_OK;
 }
 
-/* ---- how far does it go ---------------------------------------------------------------------- */
+/* ---- maximization ---------------------------------------------------------------------------- */
 
 /* cost as integers, with their common denominator. */
 static fmb_status take_cost(fmb_oracle *o, const fmb_weights *cost)

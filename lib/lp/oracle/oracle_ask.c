@@ -99,7 +99,7 @@ bool fmb_oracle_has_solution(const fmb_oracle *o)
     return o->feasible;
 }
 
-/* ---- how far does it go ---------------------------------------------------------------------- */
+/* ---- maximization ---------------------------------------------------------------------------- */
 
 /* The optimal vertex satisfies the closure of all rows: does a solution attain the optimum? Not if
  * a row with a nonzero multiplier in the proof is strict. */
