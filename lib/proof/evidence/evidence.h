@@ -31,7 +31,7 @@ typedef struct fmb_claim {
     mpq_t value;             /* BOUND: the end; IMPLIED: the right side */
     size_t value_bytes;      /* of its limbs, charged when the next claim begins */
     fmb_sparse_vector terms; /* IMPLIED, FOLLOWS; BOUND, UNBOUNDED without var: left side, by
-                         variable; WHOLE:       which variables, whatever the numbers */
+                                variable; WHOLE: which variables, whatever the numbers */
     fmb_sparse_vector
         multipliers;           /* by row; >= 0 unless the row is an equality; FOLLOWS: by claim */
     fmb_sparse_vector reverse; /* IMPLIED with EQ, REDUNDANT equality: the same for the reverse */
