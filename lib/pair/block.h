@@ -1,19 +1,19 @@
-/* block.h: pairs of one kind, waiting until a kernel can answer all of them at once. */
+/* block.h: a block of pairs of one kind, collected until a kernel answers all of them at once. */
 #ifndef FMB_PAIR_BLOCK_H
 #define FMB_PAIR_BLOCK_H
 
 #include "pair/kernels/pair_kernels.h"
 
-/* Straight code: what is constant to the caller is so inside. */
+/* Always inlined, so that constant arguments of the caller are constants inside. */
 #define FMB_BLOCK_INLINE static inline __attribute__((always_inline))
 
 typedef struct fmb_block {
     double number[FMB_BLOCK_MOST_ROWS * FMB_BLOCK_MOST_LANES];
-    size_t pair[FMB_BLOCK_MOST_LANES]; /* which pair each lane is */
-    int lanes;                         /* that are taken */
+    size_t pair[FMB_BLOCK_MOST_LANES]; /* number of the pair in each lane */
+    int lanes;                         /* lanes in use */
 } fmb_block;
 
-/* A block of two lanes for one pair: both hold it, written at once, as they are read. */
+/* For a single pair in a block of two lanes: both hold it, written with one store. */
 typedef double fmb_block_twice __attribute__((vector_size(16), aligned(8), may_alias));
 
 /* alone is constant here and below. */
@@ -25,7 +25,7 @@ FMB_BLOCK_INLINE void fmb_block_write(double *to, bool alone, double x)
         *to = x;
 }
 
-/* n numbers, width apart; returns where the next one goes. n is constant, and never more than 9. */
+/* Copy n numbers, width apart; returns the place of the next one. n is constant, at most 9. */
 FMB_BLOCK_INLINE double *fmb_block_copy(double *to, int width, bool alone, int n,
                                         const double *from)
 {
@@ -44,7 +44,7 @@ FMB_BLOCK_INLINE double *fmb_block_differ(double *to, int width, bool alone, int
     return to;
 }
 
-/* One lane; dim is constant. */
+/* Fill one lane; dim is constant. */
 FMB_BLOCK_INLINE void fmb_block_fill(double *to, int width, bool alone, int dim, const fmb_frame *p,
                                      const fmb_frame *q, bool moves, bool boxes)
 {
@@ -77,7 +77,7 @@ FMB_BLOCK_INLINE void fmb_block_load(double *to, int width, bool alone, const fm
         fmb_block_fill(to, width, alone, 3, first, second, moves, boxes);
 }
 
-/* Put pair i = (p, q) into the next lane of a block of that width; with places and speeds if boxes
+/* Put pair i = (p, q) into the next lane of a block of that width; with origins and speeds if boxes
  * are wanted. */
 static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, const fmb_frame *q,
                                  bool moves, bool boxes, size_t i)

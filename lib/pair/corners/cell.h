@@ -1,5 +1,5 @@
-/* cell.h: triangles and tetrahedra in space by their corners, and how two of them meet, by signs of
- * determinants alone.
+/* cell.h: triangles and tetrahedra in space given by corners, and how two of them meet, decided by
+ * signs of determinants alone.
  */
 #ifndef FMB_PAIR_CELL_H
 #define FMB_PAIR_CELL_H
@@ -15,17 +15,17 @@ enum { FMB_CELL_MOST_CORNERS = 4 };
 
 typedef struct fmb_cell {
     const double *point[FMB_CELL_MOST_CORNERS]; /* [3] each */
-    uint32_t id[FMB_CELL_MOST_CORNERS];         /* of two cells equal where points are; behind the
-                                                   corners again the first one's */
+    uint32_t id[FMB_CELL_MOST_CORNERS];         /* equal for equal points, also of two cells; after
+                                                   the last corner the id of the first */
     int corners;                                /* 3 or 4 */
 } fmb_cell;
 
-/* All coordinates are tame (volume.h). */
+/* Are all coordinates tame (volume.h)? */
 bool fmb_cell_is_tame(const fmb_cell *c);
-/* The corners of a tame cell lie in a line (of a tetrahedron: in a plane). */
+/* Do the corners of a tame cell lie on a line (of a tetrahedron: in a plane)? */
 bool fmb_cell_is_flat(const fmb_cell *c);
 
-/* Corner id is one of c. */
+/* Is the point with this id a corner of c? */
 static inline bool fmb_cell_has(const fmb_cell *c, uint32_t id)
 {
     int k = 0;
@@ -48,7 +48,7 @@ static inline unsigned fmb_cell_common(const fmb_cell *a, const fmb_cell *b)
     return (unsigned)(any | any >> 32) & ((1u << a->corners) - 1);
 }
 
-/* How many of four bits are 1. */
+/* The number of 1s among four bits. */
 static inline int fmb_cell_count(unsigned bits)
 {
     return (int)(UINT64_C(0x4332322132212110) >> 4 * bits & 15);
@@ -59,15 +59,15 @@ static inline fmb_triangle_plane fmb_plane_of_cell(const fmb_cell *c)
     return fmb_triangle_plane_of(c->point[0], c->point[1], c->point[2]);
 }
 
-/* Two triangles, tame and not flat; plane: that of a; common: their fmb_cell_common. */
+/* Decide two triangles, tame and not flat; plane: of a; common: their fmb_cell_common. */
 fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_triangle_plane *plane,
                                   const fmb_cell *b, unsigned common);
-/* Likewise two tetrahedra, with so many corners in common. FMB_MESH_TOUCH may also be SHARE here,
- * if shared > 0. */
+/* Decide two tetrahedra with so many shared corners, tame and not flat. If shared > 0, the result
+ * FMB_MESH_TOUCH may stand for SHARE. */
 fmb_mesh_how fmb_decide_tetrahedra(const fmb_cell *a, const fmb_cell *b, int shared);
 
-/* Do two frames meet? False, and *out is as it was: they are not both triangles or both tetrahedra
- * by their corners, still, tame and not flat. */
+/* Do two frames meet? False, with *out unchanged: they are not both triangles or both tetrahedra
+ * given by corners, or one moves, is not tame, or is flat. */
 bool fmb_decide_corners(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
                         fmb_verdict *out);
 

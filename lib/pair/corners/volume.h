@@ -1,4 +1,4 @@
-/* volume.h: signs of determinants of differences of points, exactly.
+/* volume.h: exact signs of determinants of differences of points.
  *
  * A coordinate is tame if it is 0 or 2^-200 <= |x| <= 2^200. Tame coordinates and their differences
  * are multiples of 2^-252, products of three of these multiples of 2^-756 and below 2^604: so
@@ -28,8 +28,8 @@ static inline bool fmb_is_tame(double x)
 /* -1, 0 or 1, the sign of det(u, v, w); all coordinates are tame. */
 int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w);
 
-/* The plane through p, q, r, not on a line; a normal to it, rounded, and the sums of absolute
- * values that its coordinates are made of. */
+/* The plane through p, q, r, which are not collinear; a normal of it, rounded, and for each of its
+ * coordinates the sum of the absolute values of its terms. */
 typedef struct fmb_triangle_plane {
     const double *p, *q, *r;
     double normal[3], size[3];
@@ -56,12 +56,11 @@ static inline fmb_triangle_plane fmb_triangle_plane_of(const double *p, const do
 /* The side on which s is: fmb_sign_of_volume(p, q, r, s). */
 int fmb_side_of_triangle_plane(const fmb_triangle_plane *h, const double *s);
 
-/* Likewise of det(q - p, r - p, the unit vector k): seen from along axis k, do p, q, r turn left?
- */
+/* The sign of det(q - p, r - p, unit vector k): seen along axis k, do p, q, r turn left? */
 int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double *r);
 
-/* The same by doubles where these tell. The error is at most (3 + 16 e) e times the sum of absolute
- * values, e = 2^-53 (Shewchuk, "the 2D orientation test"). */
+/* That sign by doubles, where these are certain. The error is at most (3 + 16 e) e times the sum of
+ * absolute values, e = 2^-53 (Shewchuk, "the 2D orientation test"). */
 static inline int fmb_sign_of_turn(int k, const double *p, const double *q, const double *r)
 {
     int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
@@ -72,7 +71,7 @@ static inline int fmb_sign_of_turn(int k, const double *p, const double *q, cons
     return sum == 0 ? 0 : fmb_exact_sign_of_turn(k, p, q, r);
 }
 
-/* Of the volume of the tetrahedron p, q, r, s: of det(q - p, r - p, s - p). */
+/* The sign of the volume of the tetrahedron p, q, r, s: of det(q - p, r - p, s - p). */
 static inline int fmb_sign_of_volume(const double *p, const double *q, const double *r,
                                      const double *s)
 {

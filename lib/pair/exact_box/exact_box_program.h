@@ -1,23 +1,23 @@
-/* exact_box_program.h: where two frames meet, as a linear program in integers of a few words.
+/* exact_box_program.h: the common points of two frames as a linear program in short integers.
  *
- * The points that A and B have in common at time t are those of unknowns z = (c of A, c of B, t) in
- * their places with M z = h, where M = [axes of A, - axes of B, speed of A - speed of B] and h =
- * origin of B - origin of A; such a point is x = origin of A + (axes of A, 0, speed of A) z. Each
- * row, a coordinate of the world, is in units of its own, so that all numbers in it are integers.
- * Doubles next to them are scaled by a power of two, so that the largest in a row of M and h is
- * between 1/2 and 1.
+ * The common points of A and B at time t correspond to unknowns z = (c of A, c of B, t) within
+ * their bounds ("places") with M z = h, where M = [axes of A, - axes of B, speed of A - speed of B]
+ * and h = origin of B - origin of A; the point is x = origin of A + (axes of A, 0, speed of A) z.
+ * Each row, a coordinate of the world, has a unit of its own, so that all its numbers are integers.
+ * The doubles nearest to them are scaled by a power of two, so that the largest in a row of M and h
+ * is between 1/2 and 1.
  *
- * The places: 0 <= z <= 1 of a unit; for each simplex z >= 0 and sum z <= 1. To each simplex
- * belongs one unknown more, its slack 1 - sum z: so all of its unknowns, the barycentric
- * coordinates, are alike. And for each row there is an artificial unknown, whose column is a unit
+ * The places: 0 <= z <= 1 for an unknown of a cuboid or time; z >= 0 and sum z <= 1 for those of a
+ * simplex. Each simplex has one more unknown, its slack 1 - sum z, so that all of its unknowns, the
+ * barycentric coordinates, are alike. Each row has an artificial unknown, whose column is a unit
  * vector and whose place is 0: so there is a basis of unit vectors, and M may have any rank.
  *
- * Where one frame is so much smaller than the other that doubles would take it for a point, each
- * has unknowns in units of their own: what all numbers in the columns of a frame have in common,
- * which is long, is taken out of them, and its places end there, and not at 1.
+ * If one frame is so much smaller than the other that doubles would take it for a point, each frame
+ * has its own unit of unknowns: a long common divisor of all numbers in the columns of a frame is
+ * divided out, and is then the upper end of its places instead of 1.
  *
- * In a basic solution each unknown that is not basic is at an end of its place. Basic are as many
- * as there are rows, and one more for each simplex.
+ * In a basic solution each nonbasic unknown is at an end of its place. The number of basic unknowns
+ * is that of the rows plus that of the simplices.
  */
 #ifndef FMB_PAIR_EXACT_BOX_PROGRAM_H
 #define FMB_PAIR_EXACT_BOX_PROGRAM_H
@@ -27,12 +27,12 @@
 #include "pair/exact_box/wide.h"
 
 enum {
-    FMB_EXACT_BOX_DIM = 8, /* the most there may be */
+    FMB_EXACT_BOX_DIM = 8, /* the most dimensions */
     FMB_EXACT_BOX_COLUMNS = 2 * FMB_EXACT_BOX_DIM + 1,
     FMB_EXACT_BOX_UNKNOWNS = FMB_EXACT_BOX_COLUMNS + 2 + FMB_EXACT_BOX_DIM
 };
 
-/* Which group an unknown is in. */
+/* The groups of unknowns. */
 enum {
     FMB_EXACT_BOX_OF_A,
     FMB_EXACT_BOX_OF_B,
@@ -41,8 +41,8 @@ enum {
     FMB_EXACT_BOX_NONE
 };
 
-/* A vector of whole numbers; scaled, the doubles next to them, and what these are less, off by at
- * most 2^-102 of the numbers. */
+/* A vector of integers; their scaled double-double approximations near + rest, with a relative
+ * error of at most 2^-102. */
 typedef struct fmb_exact_box_vector {
     fmb_wide whole[FMB_EXACT_BOX_DIM];
     double near[FMB_EXACT_BOX_DIM], rest[FMB_EXACT_BOX_DIM];
@@ -58,13 +58,13 @@ typedef struct fmb_exact_box_program {
     fmb_exact_box_vector m[FMB_EXACT_BOX_UNKNOWNS]; /* columns: of slacks they are 0 */
     fmb_exact_box_vector h;
     fmb_exact_box_vector origin[2], speed[2]; /* of A; of B, negative; speeds, if anything moves */
-    /* Where places of unknowns of A, of B, of time end; and where they do in doubles, of which each
-     * group, and h, may be scaled by powers of two of their own, too; INFINITY: beyond. */
+    /* The upper ends of the places of unknowns of A, of B, of time; and these in doubles, where
+     * each group, and h, may have its own scale by a power of two; INFINITY: too large. */
     fmb_wide end[3];
     double near_end[3];
-    bool has_ends; /* false: all are 1, and there are no such powers */
-    /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. It
-     * is 2^scale[i] times the scaled one. */
+    bool has_ends; /* false: all ends are 1, and there are no such scales */
+    /* An integer x of row i stands for x / unit_i: unit_i is 2^exponent[i], or unit[i] if numbers
+     * are rationals. It is 2^scale[i] times its scaled double. */
     int exponent[FMB_EXACT_BOX_DIM], scale[FMB_EXACT_BOX_DIM];
 } fmb_exact_box_program;
 
@@ -74,14 +74,14 @@ static inline bool fmb_exact_box_is_for(int dim, int naxes_p, int naxes_q)
     return dim <= FMB_EXACT_BOX_DIM && naxes_p <= dim && naxes_q <= dim;
 }
 
-/* False: numbers of a row are too far apart, more than FMB_EXACT_BOX_DIM dimensions, more axes than
- * dimensions, which this is not for. All numbers are finite. */
+/* False: numbers of a row are too far apart, or fmb_exact_box_is_for is false. All numbers are
+ * finite. */
 bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q);
-/* The same of rationals; unit[0 .. dim) are initialised. */
+/* Like the function above, for rationals; unit[0 .. dim) are initialised. */
 bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
                           mpq_t *unit);
 
-/* Whose end of places is that of unknown j? */
+/* The index in `end` of the upper end of unknown j's place. */
 static inline int fmb_exact_box_end_of(const fmb_exact_box_program *s, int j)
 {
     if (j >= s->slack)
@@ -89,7 +89,7 @@ static inline int fmb_exact_box_end_of(const fmb_exact_box_program *s, int j)
     return j == s->time ? 2 : j >= s->first_of_b;
 }
 
-/* a += b times where the place of unknown j ends, or a -= that. */
+/* a += b times the upper end of unknown j's place; or a -= that. */
 static inline void fmb_exact_box_gather_end(const fmb_exact_box_program *s, int j, fmb_wide *a,
                                             const fmb_wide *b, bool subtract)
 {
@@ -113,7 +113,7 @@ typedef struct fmb_exact_box_basis {
     unsigned char place[FMB_EXACT_BOX_UNKNOWNS];
 } fmb_exact_box_basis;
 
-/* An unknown, or a coordinate of the world: which end of it is wanted. */
+/* A goal: the least or greatest value of an unknown, or of a world coordinate. */
 typedef struct fmb_exact_box_goal {
     bool is_world;
     int number; /* of the unknown, of the coordinate */

@@ -4,8 +4,8 @@
 
 #include "pair/exact_box/wide.h"
 
-/* x, of 53 bits: x 2^*exponent is the least such number that is not below (up), or the greatest
- * that is not above, numerator / det, det > 0. */
+/* Returns x of 53 bits such that x 2^*exponent is numerator / det, det > 0, rounded up (up) or
+ * down. */
 double fmb_exact_box_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
                                    int *exponent);
 

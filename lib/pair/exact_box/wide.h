@@ -1,10 +1,10 @@
 /* wide.h: integers of a few words, on the stack: sums and products that need no memory.
  *
- * A sign and a magnitude of n words, the last of them not 0; 0 has none. Who calculates knows that
- * what comes out has at most FMB_WIDE_BITS bits.
+ * A sign and a magnitude of n words, the last of them not 0; 0 has none. Callers ensure that
+ * results have at most FMB_WIDE_BITS bits.
  *
  * All of pair/exact_box is compiled twice: with numbers of a few words, and (FMB_WIDE_LONG) with as
- * many as frames of any doubles in eight dimensions need, under names of its own, which stand here.
+ * many as frames of any doubles in eight dimensions need, under the names defined here.
  */
 #ifndef FMB_PAIR_WIDE_H
 #define FMB_PAIR_WIDE_H
@@ -137,10 +137,10 @@ static inline void fmb_wide_subtract(fmb_wide *a, const fmb_wide *b)
     fmb_wide_gather(a, b, true);
 }
 
-/* out = a b; out is neither. */
+/* out = a b; out must be neither a nor b. */
 void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b);
 
-/* out = the sum of a[i] b[i], or of - a[i] b[i] where bit i of minus is set, 0 <= i < n <= 16. It
+/* out = the sum of a[i] b[i], or of - a[i] b[i] where bit i of minus is set, 0 <= i < n <= 16. out
  * may be one of the factors. */
 void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide *const *b,
                   unsigned minus);
@@ -148,11 +148,11 @@ void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide
 /* a *= 2^bits */
 void fmb_wide_shift(fmb_wide *a, int bits);
 
-/* a /= d, which divides it. */
+/* a /= d, where d divides a. */
 void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d);
 
-/* a in units of its last word, 2^(64 (n - 1)), off by at most 2^-52 of itself: what is below the
- * upper two words is less than 2^-64 of it, and there are two roundings. */
+/* a in units of its last word, 2^(64 (n - 1)), with a relative error of at most 2^-52: the words
+ * below the upper two contribute less than 2^-64 of it, and there are two roundings. */
 static inline double fmb_wide_to_double(const fmb_wide *a)
 {
     double x = a->n > 0 ? (double)a->word[a->n - 1] : 0;
@@ -167,11 +167,11 @@ static inline int fmb_wide_length(const fmb_wide *a)
     return a->n == 0 ? 0 : 64 * a->n - __builtin_clzll(a->word[a->n - 1]);
 }
 
-/* What a number may be off by in doubles where it is as small as that. */
+/* The absolute error of numbers that are about as small as this in doubles. */
 #define FMB_WIDE_LEAST 0x1p-900
 
-/* The double next to a 2^-scale, and in *rest what that is less, off by at most 2^-102 of it; of
- * what is less than FMB_WIDE_LEAST maybe that, with its sign; of what is very large infinity. */
+/* a 2^-scale as a double plus *rest, with a relative error of at most 2^-102. A number below
+ * FMB_WIDE_LEAST may become FMB_WIDE_LEAST, with its sign; a very large one becomes infinity. */
 double fmb_wide_to_doubles(const fmb_wide *a, int scale, double *rest);
 
 #endif

@@ -1,10 +1,10 @@
-/* workspace.h: what the files of the general way share; see general_decide.c.
+/* workspace.h: data shared by the files of pair/general; see general_decide.c.
  *
- * The frames A and B have a point together iff M z = h for unknowns z = (c of A, c of B, t) in
- * their places, with M = [axes of A, - axes of B, speed of A - speed of B] and h = origin of B -
- * origin of A. Each world coordinate is scaled by a power of two of its own, so that the largest
- * entry of each row of M is between 1/2 and 1 (of h, if M has nothing but 0 there). So an entry is
- * off by at most u of itself, u = 2^-53, where it is a difference, and by 2^-1074 where scaling
+ * The frames A and B have a common point iff M z = h for unknowns z = (c of A, c of B, t) within
+ * their bounds, with M = [axes of A, - axes of B, speed of A - speed of B] and h = origin of B -
+ * origin of A. Each world coordinate is scaled by its own power of two, so that the largest entry
+ * of each row of M is between 1/2 and 1 (of h, if the row of M is 0). So an entry has a relative
+ * error of at most u = 2^-53 where it is a difference, and an absolute one of 2^-1074 where scaling
  * loses bits below the least double.
  */
 #ifndef FMB_PAIR_GENERAL_WORKSPACE_H
@@ -20,8 +20,8 @@ enum {
     FMB_GENERAL_MOST_COLUMNS = 2 * FMB_GENERAL_MOST_DIM + 3
 };
 
-/* The place of an unknown: 0 <= z <= 1; the simplex of A or of B; 0 <= z, and a row of M sees to
- * the sum. */
+/* The bounds of an unknown: 0 <= z <= 1; in the simplex of A or of B; or only 0 <= z, as a row of M
+ * bounds the sum. */
 typedef enum fmb_general_kind {
     FMB_GENERAL_UNIT,
     FMB_GENERAL_OF_A,
@@ -56,29 +56,29 @@ struct fmb_general {
     /* linear programs: the pair with a slack for the sum of each simplex */
     fmb_general_system program;
     fmb_basis basis;                                             /* of its columns */
-    double edges[FMB_GENERAL_MOST_ROWS * FMB_GENERAL_MOST_ROWS]; /* [rows][rows] its inverse */
+    double edges[FMB_GENERAL_MOST_ROWS * FMB_GENERAL_MOST_ROWS]; /* [rows][rows] inverse of basis */
     double vertex[FMB_GENERAL_MOST_COLUMNS];
 
-    /* what is found */
-    double direction[FMB_GENERAL_MOST_DIM]; /* v of a clash */
+    /* results */
+    double direction[FMB_GENERAL_MOST_DIM]; /* of a clash */
     double z[FMB_GENERAL_MOST_COLUMNS];
 };
 
 typedef enum fmb_general_step {
     FMB_GENERAL_GO,
     FMB_GENERAL_CLASH, /* with a direction */
-    FMB_GENERAL_LOST   /* rounding has spoilt it */
+    FMB_GENERAL_LOST   /* failed by rounding */
 } fmb_general_step;
 
-/* general_decide.c: the pair, scaled. False if differences or scaled numbers overflow. */
+/* general_decide.c: load the pair, scaled. False if differences or scaled numbers overflow. */
 bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
 
-/* general_program.c: a first vertex of the pair. LOST, too, where its columns do not span all rows:
- * then the basis is short of some. */
+/* general_program.c: find a first vertex of the pair. LOST, too, if the columns do not span all
+ * rows: then the basis is incomplete. */
 fmb_general_step fmb_general_find_vertex(fmb_general *g);
-/* From a vertex to one where cost z is greatest; y are the prices of M's rows. False if lost. */
+/* Walk from a vertex to one that maximizes cost z; y: the prices of M's rows. False if lost. */
 bool fmb_general_maximize(fmb_general *g, const double *cost, double *y);
-/* A point away from all ends, from a vertex. False if there seems to be none. */
+/* Find a point away from all bounds, starting at a vertex. False if there seems to be none. */
 bool fmb_general_find_inside(fmb_general *g, double *z);
 
 /* prove.c: are the closed frames certainly apart in that direction? */
@@ -86,11 +86,11 @@ bool fmb_general_are_apart(const fmb_general_system *s, const double *direction)
 /* Is there certainly a solution near z, strictly inside both frames? */
 bool fmb_general_is_near_common(const fmb_general_system *s, const double *z);
 
-/* Is there certainly a solution near z, inside both frames, whose unknowns that are no pivots are
- * at an end? */
+/* Is there certainly a solution near z, inside both frames, whose nonbasic unknowns are at their
+ * bounds? */
 bool fmb_general_is_near_vertex(const fmb_general_system *s, const double *z);
-/* cost z is certainly at most *most in the program, and at a solution near the vertex certainly at
- * least *most - *gap. |cost_j| <= 1. False if nothing is known. */
+/* Certain bounds: cost z is at most *most in the whole program, and at a solution near the vertex
+ * at least *most - *gap. |cost_j| <= 1. False if nothing is known. */
 bool fmb_general_bound_cost(const fmb_general *g, const double *cost, const double *y, double *most,
                             double *gap);
 

@@ -7,9 +7,9 @@
  *     D            axes, D D           D (D + 2)    inverse, D D, row by row
  *     2 D (D + 1)  reach, D            D (2 D + 3)  size, whole, grain, units
  *
- * and zeros up to a multiple of eight numbers. inverse, times a point less the origin, is how far
- * along each axis the point is; reach bounds the sum of the absolute values of a row of it, size
- * the numbers of the axes. What that means exactly, and what frames have records: packed/inverse.h.
+ * and zeros up to a multiple of eight numbers. inverse times (point - origin) gives the coordinates
+ * of a point along the axes; reach bounds the sum of the absolute values of each row of it, size
+ * the numbers of the axes. Exact definitions, and which frames have records: packed/inverse.h.
  */
 #ifndef FMB_PAIR_KERNELS_MINORS_KERNELS_H
 #define FMB_PAIR_KERNELS_MINORS_KERNELS_H
@@ -31,8 +31,8 @@ static inline int fmb_minors_record(int dim)
     return (2 * dim * dim + 3 * dim + 4 + 7) / 8 * 8;
 }
 
-/* The exponents of two powers of two: of that of which all axes and the speed are multiples, and of
- * the origin's. */
+/* Pack two exponents of powers of two into one number: of the unit of all axes and the speed, and
+ * of the unit of the origin. */
 static inline double fmb_minors_join_units(int axes, int origin)
 {
     return 8192.0 * axes + origin;
@@ -53,8 +53,8 @@ static inline size_t fmb_minors_room(int dim)
     return 2 * FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
 }
 
-/* What is known to stand in records: 2 for simplices, 4 for one of each, the cuboid first, and 1 if
- * any moves. */
+/* The kind of pairs in records: 2 for simplices, 4 for one of each, the cuboid first; plus 1 if
+ * anything moves. */
 typedef enum fmb_minors_what {
     FMB_MINORS_STILL,
     FMB_MINORS_MOVING,
@@ -65,7 +65,7 @@ typedef enum fmb_minors_what {
     FMB_MINORS_WHATS
 } fmb_minors_what;
 
-/* Is there a kernel? */
+/* Is there a kernel for this dimension and kind? */
 static inline bool fmb_minors_decide(int dim, fmb_minors_what what)
 {
     const int moves = (int)what % 2;
@@ -75,8 +75,8 @@ static inline bool fmb_minors_decide(int dim, fmb_minors_what what)
     return fmb_minors_is_dim(dim) && dim <= most;
 }
 
-/* Of packed pairs and rows neither shapes nor kinds are looked at. room: fmb_minors_room(dim)
- * numbers, aligned to 64 bytes. */
+/* In packed pairs and rows, shapes and kinds are ignored. room: fmb_minors_room(dim) numbers,
+ * aligned to 64 bytes. */
 typedef struct fmb_minor_kernels {
     bool (*pairs)(int dim, fmb_minors_what what, const fmb_packed_pairs *x, double *room,
                   fmb_verdict *out);

@@ -1,11 +1,11 @@
-/* open_rows.h: of cuboids and simplices in four to eight dimensions, the rows
- * (minors/minors_kernel.h) that doubles leave open, decided in whole numbers.
+/* open_rows.h: rows (minors/minors_kernel.h) of cuboids and simplices in four to eight dimensions
+ * that doubles leave open, decided in integers.
  *
- * A row is a direction n that is perpendicular to D - 1 vectors: to a face of A, to one of B, and
- * maybe to the drift. Where A and B, at all its places from t = 0 to 1, have no number in common
- * along n they are apart. If all other rows are certainly negative (their numbers overlap by more
- * than nothing), then closed frames meet iff none of these is positive, and their interiors meet
- * iff all are negative; rows whose n is 0 say nothing.
+ * A row is a direction n perpendicular to D - 1 vectors: of a face of A, of a face of B, and maybe
+ * the drift. If the intervals of A and of B, swept from t = 0 to 1, along n are disjoint, the row
+ * is positive and the frames are apart; if they overlap in more than a point, it is negative. If
+ * all other rows are certainly negative, closed frames meet iff none of the open rows is positive,
+ * and interiors meet iff all are negative; rows with n = 0 are ignored.
  */
 #ifndef FMB_PAIR_KERNELS_OPEN_ROWS_H
 #define FMB_PAIR_KERNELS_OPEN_ROWS_H
@@ -17,31 +17,31 @@
 
 #include "pair/kernels/whole_pair.h"
 
-/* The vectors of a face: a bit for each edge of a cuboid, and the one behind these for the drift of
- * B; of a simplex the corners of a face, the origin first. */
+/* The vectors of a face: a bit for each edge of a cuboid, and the next one for the drift of B; for
+ * a simplex a bit for each corner of the face, the origin first. */
 typedef struct fmb_open_row {
     uint16_t face[2];
-    bool from_b;   /* that of B changes less often from one row to the next */
-    uint8_t lanes; /* where the row is open */
+    bool from_b;   /* the face of B changes less often from row to row */
+    uint8_t lanes; /* bits of lanes where the row is open */
 } fmb_open_row;
 
 enum { FMB_OPEN_ROWS_MOST = 512 };
 
-/* Of one of each A is the simplex. */
+/* If one frame is a simplex and the other a cuboid, A is the simplex. */
 typedef struct fmb_open_rows {
     whole_records of;
     bool closed;
-    bool all;        /* all open rows are in the list; else one of each lane, if there is any */
-    unsigned wanted; /* lanes whose rows go to the list */
-    unsigned full;   /* those with more rows than there is room for */
+    bool all;        /* all open rows are in the list; else at most one of each lane */
+    unsigned wanted; /* lanes whose rows are listed */
+    unsigned full;   /* lanes with more rows than there is room for */
     int n;
     fmb_open_row row[FMB_OPEN_ROWS_MOST];
 } fmb_open_rows;
 
-/* Are the numbers of a pair short enough? No rows are wanted where they are not. */
+/* Are the numbers of a pair short enough? Otherwise its rows are not listed. */
 bool fmb_open_rows_are_short(const fmb_open_rows *x, unsigned l);
 
-/* UNKNOWN: there are too many rows, or too few, or numbers are too long for them. */
+/* Decide lane l. UNKNOWN: there are too many rows, or too few, or numbers are too long. */
 fmb_verdict fmb_open_rows_decide(const fmb_open_rows *x, unsigned l);
 
 #endif

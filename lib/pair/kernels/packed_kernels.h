@@ -10,35 +10,34 @@
 #include "pair/contact/bodies.h"
 #include "pair/kernels/pair_kernels.h"
 
-/* The verdict kernel of frames with any number of axes; rows of missing axes are not looked at. */
+/* The verdict kernel of frames with any number of axes; rows of missing axes are not read. */
 typedef fmb_pair_bits fmb_flat_kernel(const fmb_flat_kind *kind, const double *block);
 
-/* What a block says about depths. A lane that is good, if it meets, is as deep along a normal as
- * any pair may be told by <fmb/pair.h>; the normal points from A to B. Where all lanes are apart
- * nothing else is written. */
+/* The depths of a block, in a good lane that meets as accurate as <fmb/pair.h> promises; the normal
+ * points from A to B. If all lanes are apart, only bits are written. */
 typedef struct fmb_contact_lanes {
     fmb_pair_bits bits;
     unsigned good;
     double depth[FMB_BLOCK_MOST_LANES], normal[3][FMB_BLOCK_MOST_LANES];
 } fmb_contact_lanes;
-/* Of a block as the one above takes. */
+/* For a block as the kernel above takes it. */
 typedef void fmb_contact_kernel(const fmb_flat_kind *kind, const double *block,
                                 fmb_contact_lanes *out);
 
-/* The same of distances: a lane that is good is apart, so far and in that direction from A to B, as
- * <fmb/pair.h> promises. Points and ends are from A's origin; points are at rest. */
+/* The distances of a block: a good lane is apart, and as accurate as <fmb/pair.h> promises. The
+ * normal is from A to B. Points (at t = 0) and ends are relative to A's origin. */
 typedef struct fmb_distance_lanes {
     unsigned good;
     double distance[FMB_BLOCK_MOST_LANES], normal[3][FMB_BLOCK_MOST_LANES];
     double point[2][3][FMB_BLOCK_MOST_LANES], time[FMB_BLOCK_MOST_LANES]; /* where, and when */
-    /* of frames that stand still: how far A goes along the normal, and from where on B does */
+    /* if nothing moves: the upper end of A and the lower end of B along the normal */
     double low[FMB_BLOCK_MOST_LANES], high[FMB_BLOCK_MOST_LANES];
     double reach[FMB_BLOCK_MOST_LANES];
 } fmb_distance_lanes;
 typedef void fmb_distance_kernel(const fmb_flat_kind *kind, const double *block,
                                  fmb_distance_lanes *out);
 
-/* What a block holds. */
+/* The shapes of the pairs in a block. */
 typedef enum fmb_packed_shapes {
     FMB_PACKED_CUBOIDS = 0,
     FMB_PACKED_ONE_OF_EACH, /* A is the cuboid */
@@ -46,8 +45,8 @@ typedef enum fmb_packed_shapes {
     FMB_PACKED_ANY /* any number of axes */
 } fmb_packed_shapes;
 
-/* What is asked of a block: rows of A's and B's faces alone, which tell most pairs that are apart
- * and never that a pair meets, or all rows (or axes) there are. */
+/* The rows that are tested for a block: those of A's and B's faces alone, which show for most pairs
+ * that they are apart, and never that they meet; or all rows (or axes). */
 typedef enum fmb_asked { FMB_ASK_FACES, FMB_ASK_ALL } fmb_asked;
 
 /* n > 0 pairs of one kind: record index[2 i] of each side. */
@@ -56,7 +55,7 @@ typedef struct fmb_packed_pairs {
     const uint32_t *index[2];
     size_t n;
     bool moves;
-    bool closed; /* touching is meeting; in four and more dimensions alone */
+    bool closed; /* touching is meeting; used in four and more dimensions only */
     fmb_packed_shapes shapes;
     const fmb_flat_kind *kind; /* of any shapes */
 } fmb_packed_pairs;
@@ -70,22 +69,22 @@ typedef struct fmb_packed_row {
     size_t n;
     bool moves;
     bool closed;  /* as above */
-    bool swapped; /* the one is B of the blocks */
+    bool swapped; /* `one` is B of the blocks */
     fmb_packed_shapes shapes;
     const fmb_flat_kind *kind; /* of any shapes */
 } fmb_packed_row;
 
-/* Of eight frames. */
+/* Verdict bits of eight frames. */
 typedef struct fmb_packed_bits {
     uint8_t apart, meet;
 } fmb_packed_bits;
 
-/* All by D - 2. */
+/* The kernels of one width; all are indexed by D - 2. */
 typedef struct fmb_packed {
     fmb_flat_kernel *flat[2];
     fmb_contact_kernel *contact[2];
     fmb_distance_kernel *distance[2];
-    /* One answer a block, of one of the two; the other is NULL. */
+    /* One answer per block, of either kind; the other is NULL. */
     void (*lengths[2])(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
                        fmb_distance_lanes *distances);
     /* Are all verdicts known? */

@@ -1,4 +1,4 @@
-/* pair_kernels.h: the inner loops over blocks of pairs, once for each width; chosen at run time.
+/* pair_kernels.h: the inner loops over blocks of pairs, one table per width, chosen at run time.
  *
  * A block holds the numbers of `width` pairs (A, B) of one kind in rows: row r has number r of each
  * pair, lane by lane. In D dimensions the rows are
@@ -11,8 +11,8 @@
  *     speed   2 D   speed of A, of B    (boxes only, if moving)
  *
  * In a block a cuboid comes before a simplex: pairs (simplex, cuboid) are swapped, so A and B here
- * are the pair's second and first frame. Boxes are in coordinates of the pair's second one all the
- * same.
+ * are the pair's second and first frame. Boxes are in coordinates of the pair's second frame
+ * nevertheless.
  *
  * Differences are rounded once, so shift and drift have a relative error of at most 2^-53; all
  * other rows are exact. Every number is finite.
@@ -29,7 +29,7 @@ enum {
     FMB_BOX_LEVELS = 3
 };
 
-/* Bits of the lanes where the closed frames certainly have no point together; where their interiors
+/* Bits of the lanes where the closed frames certainly have no common point; where their interiors
  * certainly have one. A lane in neither is unknown. */
 typedef struct fmb_pair_bits {
     unsigned apart, meet;
@@ -53,24 +53,24 @@ typedef struct fmb_pair_kernels {
     const struct fmb_minor_kernels *minors; /* the same in four to eight dimensions, or NULL */
     /* All are [D - 2][moving][shape of A][shape of B]. */
     fmb_verdict_kernel *verdict[2][2][2][2];
-    /* The first index is the level: for lanes that the level before is not sure of, and slower.
-     * NULL: there is no more. */
+    /* The first index is the level: each is slower, for lanes that the one before left open. NULL:
+     * there is no further level. */
     fmb_box_kernel *box[FMB_BOX_LEVELS][2][2][2][2];
 } fmb_pair_kernels;
 
-/* The kernels of that level, NULL if this processor (or compiler) has not got it. */
+/* The kernels of that level, NULL if this processor (or compiler) lacks it. */
 const fmb_pair_kernels *fmb_pair_kernels_choose(fmb_simd level);
 
 /* For every processor; a single pair needs no others. */
 extern const fmb_pair_kernels fmb_pair_kernels_narrow;
 
-/* Let k ask these instead of its own, a single pair and many at a time; for studies that measure
- * other kernels behind the same portfolio. */
+/* Let k use these kernels, for a single pair and for many, instead of its own; for studies that
+ * measure other kernels behind the same portfolio. */
 void fmb_pair_use_kernels(fmb_pair *k, const fmb_pair_kernels *one, const fmb_pair_kernels *wide);
 
 /* ---- for the other files of this room -------------------------------------------------------- */
 
-/* FMB_PAIR_AVX2 and FMB_PAIR_AVX512 say whether they are there. */
+/* They exist where FMB_PAIR_AVX2 and FMB_PAIR_AVX512 are defined. */
 extern const fmb_pair_kernels fmb_pair_kernels_avx2, fmb_pair_kernels_avx512;
 
 #endif

@@ -1,4 +1,4 @@
-/* packed.h: what the queries over sets share. */
+/* packed.h: functions shared by the queries over sets. */
 #ifndef FMB_PAIR_PACKED_H
 #define FMB_PAIR_PACKED_H
 
@@ -10,34 +10,34 @@
 typedef struct fmb_packed_plan {
     bool moves, swapped; /* swapped: blocks hold (b, a) */
     fmb_packed_shapes shapes;
-    fmb_flat_kind flat;   /* of any shapes */
+    fmb_flat_kind flat;   /* for any shapes */
     fmb_minors_what what; /* in four and more dimensions */
 } fmb_packed_plan;
 
-/* False: no kernel does. */
+/* False: no kernel decides pairs of these kinds. */
 bool fmb_packed_plan_of(const fmb_pair *k, int kind_a, int kind_b, fmb_packed_plan *out);
 
-/* Frames that are handed on at once. */
+/* Frames that are passed on at once. */
 enum { FMB_PACKED_AT_ONCE = 64 };
 
-/* What is asked of n pairs, by fmb_pair_answer_all; out is of these pairs. Errors: MEMORY. */
+/* Answer n pairs by fmb_pair_answer_all; out is for these pairs. Errors: MEMORY. */
 fmb_status fmb_packed_answer(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, const fmb_pair_answers *out);
-/* Verdicts of n pairs of one kind by fmb_pair_answer_all, which kernels left open if they have a
- * plan for that kind. Errors: MEMORY. */
+/* Verdicts of n pairs of one kind by fmb_pair_answer_all; if there is a plan for that kind, its
+ * kernels left them open before. Errors: MEMORY. */
 fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, fmb_verdict *out);
 
-/* The same with depths; out is of these pairs. Errors: MEMORY. */
+/* Answers of n pairs with depths; out is for these pairs. Errors: MEMORY. */
 fmb_status fmb_packed_contacts(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                                const fmb_frames_pair *pair, const fmb_pair_answers *out);
 
-/* Are the arguments sets of the dimension of k? If not, k->error says so. A query begins. */
+/* Begin a query. Are the arguments sets of the dimension of k? If not, k->error says so. */
 bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b);
 
-/* Jobs by the threads of k, in rounds. Errors: MEMORY. */
+/* Run jobs by the threads of k, in rounds. Errors: MEMORY. */
 fmb_status fmb_packed_do(fmb_pair *k, size_t jobs, fmb_thread_job job, void *self);
-/* Who works for k in this thread of them. */
+/* The fmb_pair that works for k in this thread. */
 fmb_pair *fmb_packed_worker(fmb_pair *k, size_t thread);
 
 #endif

@@ -7,9 +7,9 @@
  * In four to eight dimensions frames by edges with all their axes have longer records
  * (pair/kernels/minors_kernels.h).
  *
- * A kind says what a record holds. What no record can hold (other frames and dimensions; corners
- * whose differences are no doubles) is of kind NONE; it stands beside, and so does every frame by
- * corners, as it was given: exact queries want that.
+ * A kind describes the contents of a record. Frames that no record can hold (other frames and
+ * dimensions; corners whose differences are no doubles) have kind NONE. These, and every frame by
+ * corners, are also stored as given: exact queries need that.
  */
 #ifndef FMB_PAIR_SET_H
 #define FMB_PAIR_SET_H
@@ -18,7 +18,7 @@
 
 #include "base/mem.h"
 
-/* 2 naxes + shape, and more if it moves; in four and more dimensions naxes do not count. */
+/* 2 naxes + shape, plus MOVES if it moves; in four and more dimensions without naxes. */
 enum { FMB_KIND_MOVES = 8, FMB_KIND_NONE = 16, FMB_KINDS };
 
 /* Numbers of a record in the plane; twice as many in space. */
@@ -33,12 +33,12 @@ struct fmb_frames {
     uint8_t *kind;               /* [n] */
     int only;                    /* the kind of all, or -1 */
     uint32_t *order;             /* [n] frames by kind, then number */
-    size_t first[FMB_KINDS + 1]; /* in order, of each kind */
+    size_t first[FMB_KINDS + 1]; /* index in order of the first frame of each kind */
     double *bounds; /* [dim][lower, upper][eights] around eight frames of a kind (bounds.h) */
-    size_t first_eight[FMB_KINDS + 1], eights; /* of each kind; in all, of kinds but NONE */
-    fmb_frame *given; /* [n], or NULL: none is by corners; dim 0: the record says it all */
-    double *beside;   /* the numbers of given */
-    double *room;     /* of the records */
+    size_t first_eight[FMB_KINDS + 1], eights; /* of each kind; total of kinds other than NONE */
+    fmb_frame *given;              /* [n], or NULL: none is needed; dim 0: the record is complete */
+    double *beside;                /* the numbers of given */
+    double *room;                  /* memory of the records */
     size_t room_size, beside_size; /* [doubles] */
 };
 
@@ -47,7 +47,7 @@ static inline const double *fmb_frames_record(const fmb_frames *s, size_t i)
     return s->record + s->stride * i;
 }
 
-/* Shape and number of axes of a kind but NONE. */
+/* Shape and number of axes of a kind other than NONE. */
 static inline fmb_shape fmb_kind_shape(int kind)
 {
     return (fmb_shape)(kind & 1);
