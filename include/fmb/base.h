@@ -1,19 +1,19 @@
-/* fmb/base.h: words that every other header uses.
+/* fmb/base.h: types and conventions that every other header uses.
  *
- * Four words are kept apart: a *status* says whether a call worked, a *verdict* is the answer,
- * a *stop* says why a query ended, a *trust* how sure the answer is. Running into a limit is a
+ * Four terms are kept apart: a *status* says whether a call worked, a *verdict* is the answer,
+ * a *stop* says why a query ended, a *trust* how certain the answer is. Reaching a limit is a
  * result (fmb_stop), not an error (fmb_status).
  *
  * Ownership: only functions marked [give] hand out objects; each has one *_free, which accepts
- * NULL; what a structure of the caller's holds goes by its *_clear. Nothing takes over an argument.
- * Out arguments are untouched unless FMB_OK is returned. Why an object refused arguments (ARG) is
- * told by its *_trouble, in one line.
+ * NULL; the contents of a structure of the caller's are released by its *_clear. No function takes
+ * ownership of an argument. Out arguments are untouched unless FMB_OK is returned. The *_trouble of
+ * an object says in one line why it refused arguments (ARG).
  *
  * Texts: what a function *_write writes to a stream, its twin *_print writes to memory; what *_read
  * reads from a stream, *_parse (or *_from_text) reads from memory. Each *_print(..., text, size,
- * &length) tells how many bytes there are, and writes them with a NUL behind only if size is more
- * than that: so ask with NULL and 0, get a block of length + 1, ask again. A number or a line as
- * text (*_text) returns its length and writes in the same way. Streams are FILE of the C library.
+ * &length) sets length to the number of bytes, and writes these and a NUL only if size is larger:
+ * so call it with NULL and 0, allocate length + 1 bytes, call it again. Functions for a number or a
+ * line as text (*_text) return the length and write by the same rule. Streams are FILE of C.
  *
  * Structures that may grow begin with their size, as the program was compiled with it: settings
  * (fmb_options, fmb_pair_options, fmb_mesh_options, fmb_reader, fmb_patience), reports (fmb_result,
@@ -25,10 +25,10 @@
  *   fmb_options o{}; o.size = sizeof o;                        (C++)
  *   o = ffi.new("fmb_options *", {"size": ffi.sizeof("fmb_options")})     (Python, cffi)
  *
- * A program of an older version goes on to work: what its structures lack is taken as 0, or not
- * reported. One of a newer version does where what this one does not know is 0. Otherwise, and for
- * a size that was never set, FMB_ERR_ARG. What the library itself hands out by pointer (events,
- * lines, descriptions) may grow at its end; all other structures stay as they are.
+ * Programs of an older version keep working: members that their structures lack are taken as 0, or
+ * not reported. Those of a newer version work if the members unknown to this one are 0; otherwise,
+ * and for a size that was never set, FMB_ERR_ARG. Structures that the library hands out by pointer
+ * (events, lines, descriptions) may grow at their end; all other structures never change.
  *
  * Threads: const arguments may be shared; any other object belongs to one thread at a time. The
  * library keeps no globals, starts no threads unless asked to, prints nothing and never exits.
@@ -36,9 +36,9 @@
 #ifndef FMB_BASE_H
 #define FMB_BASE_H
 
-/* Other languages may read these headers: what `cc -E -P -DFMB_DECLARATIONS_ONLY` makes of
- * <fmb/fmb.h> or <fmb/geometry.h> is nothing but the declarations of libfmb, in plain C. They need
- * bool, size_t, FILE, int64_t and their like, which readers of declarations know. */
+/* Other languages may read these headers: `cc -E -P -DFMB_DECLARATIONS_ONLY` turns <fmb/fmb.h> or
+ * <fmb/geometry.h> into the declarations of libfmb alone, in plain C. They need bool, size_t, FILE,
+ * int64_t and similar types, which readers of declarations know. */
 #ifndef FMB_DECLARATIONS_ONLY
 #include <stdbool.h>
 #include <stddef.h>
@@ -55,7 +55,7 @@
 #endif
 
 /* The version of these headers: "major.minor.patch", and one number to compare. Before 1.0 a new
- * minor version may change what there was. */
+ * minor version may change existing declarations. */
 #define FMB_VERSION_MAJOR  0
 #define FMB_VERSION_MINOR  3
 #define FMB_VERSION_PATCH  0
@@ -74,15 +74,15 @@ typedef enum fmb_status {
     FMB_ERR_PARSE,  /* malformed text; position and reason in fmb_where */
     FMB_ERR_IO,     /* stream failed; errno holds the cause */
     FMB_ERR_RULE,   /* rule unknown, or unsound for this query or beside another rule */
-    FMB_ERR_STATE,  /* not now: no query has finished, it kept no evidence, nothing is loaded or
-                       pushed */
-    FMB_ERR_RANGE   /* a number does not fit the type that was asked for */
+    FMB_ERR_STATE,  /* not possible now: no query has finished, it kept no evidence, nothing is
+                       loaded or pushed */
+    FMB_ERR_RANGE   /* a number does not fit the requested type */
 } fmb_status;
 
 /* The answer. Zero is "unknown", so forgotten memory never reads as an answer. */
 typedef enum fmb_verdict { FMB_UNKNOWN = 0, FMB_FEASIBLE, FMB_INFEASIBLE } fmb_verdict;
 
-/* How the answer was obtained: EXACT always, so far, or NONE where it is unknown. */
+/* How the answer was obtained: at present always EXACT, or NONE if it is unknown. */
 typedef enum fmb_trust { FMB_TRUST_NONE = 0, FMB_TRUST_FLOAT, FMB_TRUST_EXACT } fmb_trust;
 
 /* Why a query ended. */
@@ -94,10 +94,10 @@ typedef enum fmb_stop {
     FMB_STOP_CANCELLED /* fmb_solver_cancel was called */
 } fmb_stop;
 
-/* Relation of a row a.x REL b. GE and GT are for adding rows: what is kept, and handed out, is
- * -a.x LE -b and -a.x LT -b. */
+/* Relation of a row a.x REL b. GE and GT are for adding rows only: the rows are stored, and handed
+ * out, as -a.x LE -b and -a.x LT -b. */
 typedef enum fmb_rel { FMB_LE = 0, FMB_LT, FMB_EQ, FMB_GE, FMB_GT } fmb_rel;
-/* "<=", "<", "=", ">=", ">"; static, "?" of what is none. */
+/* "<=", "<", "=", ">=", ">"; static; "?" if r is no relation. */
 FMB_API const char *fmb_rel_text(fmb_rel r);
 
 /* Which end of an interval. */
@@ -108,25 +108,25 @@ typedef enum fmb_side { FMB_LOWER = 0, FMB_UPPER } fmb_side;
  * copied; self must outlive its users.
  *
  * When it fails, the call returns FMB_ERR_MEMORY. The limbs of GMP integers do not come from it but
- * from GMP's own allocator, and when that one fails, GMP ends the process: no status can tell. So
- * options.max_bytes must be below the memory there is. It counts what rows, evidence and results
- * hold, limbs too, as soon as a step has made them. On top come the numbers on which one step
- * works: a row of a combination, a point, a ray, the ends of a box; and the input. Readers refuse
- * text whose numbers would take far more than the text does. */
+ * from GMP's own allocator, and when that one fails, GMP ends the process, so no status can report
+ * it. So options.max_bytes must be below the available memory. It counts the memory of rows,
+ * evidence and results, limbs included, as soon as a step has made them. Not counted are the
+ * numbers on which a single step works: a combined row, a point, a ray, the ends of a box; and the
+ * input. Readers refuse text whose numbers would take far more memory than the text does. */
 typedef struct fmb_alloc {
     void *(*resize)(void *self, void *p, size_t old_bytes, size_t new_bytes);
     void *self;
 } fmb_alloc;
 
-/* Where a text went wrong, and what was expected there. line and column start at 1 (column counts
- * bytes); 0 means the text as a whole. */
+/* The place of an error in a text, and what was expected there. line and column start at 1 (column
+ * counts bytes); 0 means the text as a whole. */
 typedef struct fmb_where {
     long line, column;
     char text[160];
 } fmb_where;
 
-/* "NAME:LINE:COLUMN: TEXT" as a text (see above), without what is not known: NAME where it is NULL,
- * LINE and COLUMN where they are 0. Of where NULL: the length is 0, and nothing is written. */
+/* "NAME:LINE:COLUMN: TEXT" as a text (see above), without the unknown parts: NAME if it is NULL,
+ * LINE and COLUMN if they are 0. If where is NULL, the length is 0 and nothing is written. */
 FMB_API size_t fmb_where_text(const fmb_where *where, const char *name, char *text, size_t size);
 
 /* The version of the library in use, as FMB_VERSION was when it was compiled; static. */

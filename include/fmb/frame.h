@@ -1,5 +1,5 @@
-/* fmb/frame.h: cuboids and simplices in R^D, still or moving, and the systems that say where
- * several of them meet.
+/* fmb/frame.h: cuboids and simplices in R^D, static or moving, and the systems whose solutions are
+ * the common points of several of them.
  *
  * Source: Baillehache 2020 (FMB), whose system is the one in FMB_COORDINATES_LAST.
  */
@@ -12,19 +12,19 @@
 extern "C" {
 #endif
 
-/* What a frame is, by the coordinates c of its points along its edges. */
+/* The shape of a frame, by the coordinates c of its points along its edges. */
 typedef enum fmb_shape {
     FMB_CUBOID = 0, /* 0 <= c_i <= 1 */
     FMB_SIMPLEX,    /* 0 <= c_i, sum c_i <= 1 */
-    /* The same by their corners: row i of axes is the corner at the end of edge i, and the edge is
-     * axes_i - origin, exactly. That difference of two doubles need be none, and neighbours whose
-     * edges are rounded may come apart where they share a corner; by corners they meet. */
+    /* The same shapes given by corners: row i of axes is the corner at the end of edge i, and the
+     * edge is axes_i - origin, exactly. This difference of two doubles need not be a double, and
+     * neighbours with rounded edges may come apart at a shared corner; by corners they meet. */
     FMB_CUBOID_BY_CORNERS,
     FMB_SIMPLEX_BY_CORNERS /* may have any number of corners: it is their convex hull, though its
                               coordinates c are then not unique */
 } fmb_shape;
 
-/* dim of a frame: one of more is refused before anything is read. */
+/* The most dimensions of a frame; a larger dim is refused before anything is read. */
 enum { FMB_FRAME_MOST_DIM = 1000000 };
 
 /* The points origin + sum c_i axes_i + t speed, 0 <= t <= 1. naxes < dim gives faces, edges and
@@ -38,14 +38,14 @@ typedef struct fmb_frame {
     const double *speed;  /* [dim], or NULL: static */
 } fmb_frame;
 
-/* Does a frame hold its faces? */
+/* Do the faces of a frame belong to it? */
 typedef enum fmb_contact {
     FMB_CONTACT_CLOSED = 0, /* yes: touching is meeting */
-    FMB_CONTACT_OPEN        /* no: its relative interior alone, 0 < c_i (< 1, or sum c_i < 1). Time
-                               stays closed */
+    FMB_CONTACT_OPEN        /* no: only its relative interior, 0 < c_i (< 1, or sum c_i < 1). The
+                               interval of time stays closed */
 } fmb_contact;
 
-/* What the variables of a system are. The time t follows them if any frame has a speed. */
+/* The variables of a system. The time t follows them if any frame has a speed. */
 typedef enum fmb_coordinates {
     FMB_COORDINATES_EACH = 0, /* c of every frame, bound by equalities; any frames */
     FMB_COORDINATES_WORLD,    /* the point itself: x1 ... xD */
@@ -55,9 +55,9 @@ typedef enum fmb_coordinates {
 
 /* [give] A system that has a solution iff the frames share a point at one time: exact, rows of the
  * frames in their order (lower ends, then upper ends), those of time at the end. A frame whose
- * coordinates are no variables needs independent axes. Errors: ARG (no frame, one whose dim,
- * naxes or shape is none or whose arrays are NULL, different dim, dependent axes, a number that is
- * not finite, more variables than a system has), MEMORY. */
+ * coordinates are not variables needs linearly independent axes. Errors: ARG (no frame, an invalid
+ * dim, naxes or shape, an array that is NULL, different dim, dependent axes, a number that is not
+ * finite, more variables than a system can have), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n,
                                                       fmb_coordinates in, fmb_contact contact,
                                                       const fmb_alloc *mem, fmb_system **out);

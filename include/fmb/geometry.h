@@ -1,6 +1,6 @@
 /* fmb/geometry.h: cuboids, simplices and meshes: do they meet, where, how near, how deep?
  *
- *   numbers -> fmb_frame -> fmb_pair (two at a time) or fmb_frames (stored once, asked often)
+ *   numbers -> fmb_frame -> fmb_pair (two at a time) or fmb_frames (stored once, queried often)
  *   file -> fmb_mesh -> fmb_mesh_meet
  *
  * Systems and the questions about them: <fmb/fmb.h>.

@@ -19,10 +19,10 @@
 extern "C" {
 #endif
 
-/* Append sum coef[k] x_var[k] REL b, n terms in any order; a variable that comes twice is added
- * up; coef is only read (ISO C cannot say so of an array type). Rationals need not be in lowest
- * terms, nor their denominators positive. Errors: ARG (NULL, variable out of range, denominator 0,
- * bad relation), MEMORY. */
+/* Append sum coef[k] x_var[k] REL b, n terms in any order; terms of the same variable are added
+ * up; coef is only read (ISO C cannot express that for an array type). Rationals need not be in
+ * lowest terms, nor their denominators positive. Errors: ARG (NULL, variable out of range,
+ * denominator 0, bad relation), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add_q(fmb_system *s, size_t n, const int *var,
                                                 mpq_t *coef, fmb_rel rel, const mpq_t b);
 /* Term k of row i by increasing variable (fmb_system_terms); its right side. Where there is no such
@@ -92,8 +92,8 @@ FMB_API void fmb_proximity_shift_q(const fmb_proximity *p, int j, mpq_t out);
 FMB_API void fmb_proximity_point_q(const fmb_proximity *p, int which, int j, mpq_t out);
 FMB_API void fmb_proximity_time_q(const fmb_proximity *p, mpq_t out);
 
-/* Where exact answers about one pair go: like fmb_pair_answers, in rationals, which are
- * initialised. */
+/* The caller's arrays for exact answers about one pair: like fmb_pair_answers, in rationals, which
+ * the caller has initialised. */
 typedef struct fmb_pair_answers_q {
     size_t size;    /* sizeof(fmb_pair_answers_q) */
     mpq_t *world;   /* [dim][2] */
@@ -103,21 +103,21 @@ typedef struct fmb_pair_answers_q {
                        point, its coordinates in the second frame, its time */
 } fmb_pair_answers_q;
 
-/* Do two closed frames meet? If so (FEASIBLE) all that out asks for, of which everything may be
- * NULL. In microseconds, in up to eight dimensions; in some ten times as many, with a few megabytes
- * of memory, where numbers have more than some 45 digits in three, 20 in eight dimensions, once all
- * of a coordinate are over one denominator, without the divisor that they have in common. UNKNOWN
- * beyond, without memory, for frames with more axes than dimensions, and for more than some 1,500
- * digits in three, 640 in eight dimensions: then out is in part written, and
- * fmb_system_from_frames_q, fmb_solve and fmb_bound tell more. Rationals are only read, and in
- * lowest terms. Errors: ARG (NULL, frames that are none, of different dimensions). */
+/* Do two closed frames meet? If so (FEASIBLE), all that out requests is filled in; each of its
+ * arrays may be NULL. Takes microseconds, in up to eight dimensions; some ten times as long, with a
+ * few megabytes of memory, if numbers have more than some 45 digits in three, 20 in eight
+ * dimensions (when all numbers of a coordinate are over one denominator, less their common
+ * divisor). UNKNOWN in more dimensions, without memory, for frames with more axes than dimensions,
+ * and beyond some 1,500 digits in three, 640 in eight dimensions: then out is partly written; use
+ * fmb_system_from_frames_q, fmb_solve and fmb_bound. Rationals are only read, and must be in lowest
+ * terms. Errors: ARG (NULL, invalid frames, or of different dimensions). */
 FMB_API FMB_CHECKED fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                                                  const fmb_pair_answers_q *out,
                                                  fmb_verdict *verdict);
 
 /* ---- pairs of frames from text (docs/formats.md, "frames") ----------------------------------- */
 
-/* A frame; or, where rows is not NULL, the polytope of the points that its rows allow, static. */
+/* A frame; or, if rows is not NULL, the static polytope of the points that satisfy the rows. */
 typedef struct fmb_body {
     fmb_frame_q frame;      /* of a polytope: dim alone */
     const fmb_system *rows; /* over dim variables, or NULL */
@@ -130,14 +130,14 @@ typedef struct fmb_frame_line {
     int dim;
     fmb_body body[2];   /* A and B; one whose speed is 0 is static */
     fmb_frame frame[2]; /* the same in doubles, each number the nearest ... */
-    bool are_doubles;   /* ... and no other: both are frames of doubles. If not, frame[] may hold
-                           no frames at all */
+    bool are_doubles;   /* ... and exactly so: both are frames of doubles. If not, frame[] may be
+                           invalid */
 } fmb_frame_line;
 
 /* A reader of such lines. */
 typedef struct fmb_frame_reader fmb_frame_reader;
 
-/* [give] Read from a stream, which stays the caller's; how may be NULL; its format does not count.
+/* [give] Read from a stream, which stays the caller's; how may be NULL; its format is ignored.
  * Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_frame_reader_new(FILE *in, const fmb_reader *how,
                                                     fmb_frame_reader **out);
@@ -148,50 +148,49 @@ FMB_API FMB_CHECKED fmb_status fmb_frame_reader_from_text(const char *text, size
                                                           fmb_frame_reader **out);
 FMB_API void fmb_frame_reader_free(fmb_frame_reader *r);
 /* The next line that is not blank, or *out = NULL at the end. It belongs to the reader and is valid
- * until the next call. After PARSE (*where is filled, if not NULL) the next call goes on with the
+ * until the next call. After PARSE (*where is filled, if not NULL) the next call continues with the
  * next line. Errors: PARSE, IO, MEMORY, ARG (*where says which argument). */
 FMB_API FMB_CHECKED fmb_status fmb_frame_reader_next(fmb_frame_reader *r,
                                                      const fmb_frame_line **out, fmb_where *where);
-/* Fill body of the last line from its doubles, which pairs in binary (docs/formats.md, "packed
- * frames") and those of a reader with nearest come without: until then origin, axes and speed there
+/* Fill body of the last line from its doubles. Binary pairs (docs/formats.md, "packed frames") and
+ * those of a reader with nearest come without rationals: until then origin, axes and speed in body
  * are NULL. Does nothing to other lines. Errors: ARG (NULL), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_frame_reader_rationals(fmb_frame_reader *r);
-/* Write pairs (p[i], q[i]) of one dimension in binary, behind whatever out holds. Their numbers
- * should be finite: the reader refuses others. Errors: ARG, IO. */
+/* Append pairs (p[i], q[i]) of one dimension in binary to out. Their numbers should be finite: the
+ * reader refuses others. Errors: ARG, IO. */
 FMB_API FMB_CHECKED fmb_status fmb_frame_pairs_write(FILE *out, size_t n, const fmb_frame *p,
                                                      const fmb_frame *q);
-/* The same to memory (<fmb/base.h>): bytes that may well be NUL. Errors: ARG, MEMORY. */
+/* Write such pairs to memory (<fmb/base.h>); bytes may be NUL. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_frame_pairs_print(size_t n, const fmb_frame *p,
                                                      const fmb_frame *q, char *bytes, size_t size,
                                                      size_t *length);
-/* From now on there is no next line, and one that is being read is given up. The one call allowed
- * from another thread or a signal handler. NULL is fine. */
+/* From now on there is no next line, and the reading of a current one is given up. The one call
+ * allowed from another thread or a signal handler. NULL is fine. */
 FMB_API void fmb_frame_reader_cancel(fmb_frame_reader *r);
 
-/* [give] The system that says where the bodies of a line meet: fmb_system_from_frames_q in
- * FMB_COORDINATES_ALL of those that are frames (c1_1 ... are those of the first of them), then the
- * rows of those that are polytopes; with open contact, their inequalities are strict. Errors:
- * MEMORY. */
+/* [give] The system of the common points of the bodies of a line: fmb_system_from_frames_q in
+ * FMB_COORDINATES_ALL for the frames (c1_1 ... are coordinates of the first of them), then the rows
+ * of the polytopes; with open contact, their inequalities are strict. Errors: MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_from_line(const fmb_frame_line *line, fmb_contact contact,
                                                     const fmb_alloc *mem, fmb_system **out);
-/* [give] The same within the limits of v, whose allocator it uses: max_seconds and max_bytes hold
- * for this system, and a fmb_solver_cancel since v's last query began counts. *stop tells which of
- * them ended it, and *out is then NULL. Two frames may also be told of in other coordinates.
- * Errors: ARG (also: other coordinates and no two frames, or axes that depend on each other),
- * MEMORY. */
+/* [give] That system within the limits of v, whose allocator it uses: max_seconds and max_bytes
+ * apply to making it, and a fmb_solver_cancel since v's last query began counts. *stop says which
+ * limit ended it; then *out is NULL. For two frames, `in` may also be other coordinates. Errors:
+ * ARG (also: other coordinates, and the bodies are not two frames, or have linearly dependent
+ * axes), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_from_line_within(const fmb_frame_line *line,
                                                            fmb_coordinates in, fmb_contact contact,
                                                            fmb_solver *v, fmb_system **out,
                                                            fmb_stop *stop);
 
-/* How numbers are to be written: put writes q, in lowest terms, to out. */
+/* How numbers are written: put writes q, in lowest terms, to out. */
 typedef struct fmb_number_style {
     void (*put)(void *self, mpq_srcptr q, FILE *out);
     void *self;
 } fmb_number_style;
 
-/* fmb_evidence_tell (<fmb/proof.h>) with numbers in that style, of which none is kept. Errors: ARG
- * (also: style or its put NULL), IO. */
+/* fmb_evidence_tell (<fmb/proof.h>) with numbers in that style, which is used during the call only.
+ * Errors: ARG (also: style or its put NULL), IO. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_tell_with(const fmb_evidence *e, const fmb_system *s,
                                                       size_t i, const fmb_number_style *style,
                                                       FILE *out);

@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/* How a text describes a system; docs/formats.md tells of each. */
+/* How a text describes a system; docs/formats.md describes each format. */
 typedef enum fmb_format {
     FMB_FORMAT_AUTO = 0, /* reading only: by name, else by content */
     FMB_FORMAT_TEXT,     /* .fmb */
@@ -29,11 +29,11 @@ typedef enum fmb_format {
  * "auto"): false if the word is unknown. */
 FMB_API const char *fmb_format_text(fmb_format f);
 FMB_API bool fmb_format_parse(const char *word, fmb_format *out);
-/* Format by the ending of a file name ("a/b.ine"), FMB_FORMAT_AUTO if it says nothing or is NULL.
- */
+/* Format by the ending of a file name ("a/b.ine"), FMB_FORMAT_AUTO if that is unknown or path is
+ * NULL. */
 FMB_API fmb_format fmb_format_of_name(const char *path);
 
-/* Longest text that is read unless a reader says otherwise [bytes]. */
+/* The default of fmb_reader.max_bytes, the longest text that is read [bytes]. */
 #define FMB_READER_MAX_BYTES ((size_t)1 << 30)
 
 /* How to read; NULL, wherever one is expected: as by default. */
@@ -44,40 +44,40 @@ typedef struct fmb_reader {
     /* Called for each thing that is ignored (a second objective); may be NULL. */
     void (*warn)(void *self, const fmb_where *where);
     void *self;
-    bool nearest; /* of frames alone: a number means the double nearest to it */
+    bool nearest; /* for frames only: a number means the double nearest to it */
     /* Longest text, of frames: longest line [bytes]; 0: FMB_READER_MAX_BYTES. */
     size_t max_bytes;
 } fmb_reader;
 
 /* [give] Parse a whole stream. A text without any row or variable is no system. Errors: PARSE
  * (malformed, empty, or longer than max_bytes), IO, MEMORY, ARG (a pointer that must not be NULL,
- * no such format). After PARSE and ARG *where is filled, if not NULL: which argument is wrong, with
- * line 0. */
+ * no such format). After PARSE and ARG *where is filled, if not NULL; for ARG it names the
+ * argument, with line 0. */
 FMB_API FMB_CHECKED fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out,
                                                fmb_where *where);
-/* [give] The same from size bytes of text (need not end in NUL). */
+/* [give] Parse size bytes of text (need not end in NUL). Errors: as above, without IO. */
 FMB_API FMB_CHECKED fmb_status fmb_system_parse(const char *text, size_t size,
                                                 const fmb_reader *how, fmb_system **out,
                                                 fmb_where *where);
-/* fmb_system_add_terms of numbers that are text, each meant exactly: "1/3", "0.1", "-2e3"; no
- * blanks around them. Errors: PARSE (a text is no number, or one of far more digits than it has;
+/* fmb_system_add_terms with numbers as text, each exact: "1/3", "0.1", "-2e3"; no blanks around
+ * them. Errors: PARSE (a text is no number, or one with far more digits than the text has;
  * fmb_system_trouble says which, and what was expected), ARG (as there; NULL), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add_terms_text(fmb_system *s, size_t n, const int *var,
                                                          const char *const *coef, fmb_rel rel,
                                                          const char *b);
-/* Give s the objective that `size` bytes of text spell in the way of .fmb files, over the variables
- * that there are: "3x + 1/2 (y - 4)". Errors: PARSE (malformed, no such variable; *where is filled,
- * if not NULL), ARG (a pointer that must not be NULL, no such sense), MEMORY. */
+/* Give s the objective written in `size` bytes of text as in .fmb files, over the existing
+ * variables: "3x + 1/2 (y - 4)". Errors: PARSE (malformed, no such variable; *where is filled, if
+ * not NULL), ARG (a pointer that must not be NULL, no such sense), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_parse_objective(fmb_system *s, fmb_sense sense,
                                                           const char *text, size_t size,
                                                           fmb_where *where);
 
-/* Write s so that reading it back gives the same rows in the same order; in MPS and LP, which know
- * decimals only, times a number where a row has others, and with names that these can spell.
- * Errors: ARG (format cannot be written; of MPS and LP: a strict row, no variable, an objective
- * whose numbers are no finite decimals, in MPS neither a row nor an objective), IO, MEMORY. */
+/* Write s so that reading it back gives the same rows in the same order. In MPS and LP, which have
+ * only decimals, a row with other numbers is multiplied by a factor, and names that they cannot
+ * spell are replaced. Errors: ARG (format cannot be written; MPS and LP: a strict row, no variable,
+ * an objective whose numbers are no finite decimals; MPS: no row, no objective), IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out);
-/* The same to memory (<fmb/base.h>). Errors: ARG (as above; length NULL), MEMORY. */
+/* Write s to memory (<fmb/base.h>). Errors: ARG (as above; length NULL), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_print(const fmb_system *s, fmb_format f, char *text,
                                                 size_t size, size_t *length);
 
@@ -86,7 +86,7 @@ FMB_API FMB_CHECKED fmb_status fmb_system_print(const fmb_system *s, fmb_format 
 /* A script with several check-sat, push, pop, reset, reset-assertions, check-sat-assuming. */
 typedef struct fmb_script fmb_script;
 
-/* What a script asks for next. */
+/* The next question of a script. */
 typedef enum fmb_script_kind {
     FMB_SCRIPT_END = 0,
     FMB_SCRIPT_CHECK, /* check-sat, check-sat-using, check-sat-assuming */
@@ -96,47 +96,48 @@ typedef enum fmb_script_kind {
 } fmb_script_kind;
 
 /* [give, fmb_script_free] Read a whole stream and find its commands; how as for fmb_system_read,
- * its format does not count. Errors: PARSE (parentheses that do not match), IO, MEMORY, ARG. */
+ * its format is ignored. Errors: PARSE (parentheses that do not match), IO, MEMORY, ARG. */
 FMB_API FMB_CHECKED fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out,
                                                fmb_where *where);
-/* [give, fmb_script_free] The same from size bytes of text, which are copied. */
+/* [give, fmb_script_free] A script from size bytes of text, which are copied. */
 FMB_API FMB_CHECKED fmb_status fmb_script_parse(const char *text, size_t size,
                                                 const fmb_reader *how, fmb_script **out,
                                                 fmb_where *where);
 FMB_API void fmb_script_free(fmb_script *s);
-/* Does it ask more than a conjunction can be asked? false for NULL. */
+/* Has the script several check-sats, or commands such as push? false for NULL. */
 FMB_API bool fmb_script_asks_often(const fmb_script *s);
-/* [give, fmb_system_free] If not: what fmb_system_read would give. Errors: as of fmb_system_parse.
- */
+/* [give, fmb_system_free] If it does not: the system that fmb_system_read would give. Errors: as of
+ * fmb_system_parse. */
 FMB_API FMB_CHECKED fmb_status fmb_script_whole(fmb_script *s, fmb_system **out, fmb_where *where);
-/* On to the next command that asks. Errors: PARSE (a pop without its push), MEMORY, ARG. */
+/* Move to the next question. Errors: PARSE (a pop without its push), MEMORY, ARG. */
 FMB_API FMB_CHECKED fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out,
                                                fmb_where *where);
-/* [give, fmb_system_free] What the last check asks about: the assertions that hold there, and its
- * assumptions; the row 0 <= 0 if neither a row nor a variable is left. Each call reads what has
- * come to hold since the last one; all that holds is read once more where a later command tells
- * what a Boolean unknown is that an earlier one needs, where a pop undoes such news, and after an
- * error. Errors: as of fmb_system_parse; lines and columns are the script's. */
+/* [give, fmb_system_free] The system of the last check: the assertions in force there, and its
+ * assumptions; the row 0 <= 0 if there is neither a row nor a variable. Each call reads the
+ * assertions that came into force since the last one; all are read again if a later command decides
+ * a Boolean unknown that an earlier one needs, if a pop undoes such a decision, and after an error.
+ * Errors: as of fmb_system_parse; lines and columns are those of the script. */
 FMB_API FMB_CHECKED fmb_status fmb_script_question(fmb_script *s, fmb_system **out,
                                                    fmb_where *where);
-/* [give] Behind FMB_SCRIPT_VALUE: term i of its list, as text that belongs to s, and a system whose
- * objective it is; *text is NULL, and *out untouched, where there is none. Errors: as above, also
- * of a term that is a formula. */
+/* [give] After FMB_SCRIPT_VALUE: term i of its list, as text that belongs to s, and a system whose
+ * objective it is; *text is NULL, and *out untouched, if there is none. Errors: as above; also if
+ * the term is a formula. */
 FMB_API FMB_CHECKED fmb_status fmb_script_term(fmb_script *s, size_t i, const char **text,
                                                size_t *size, fmb_system **out, fmb_where *where);
 
 typedef struct fmb_generators fmb_generators; /* <fmb/generators.h> */
 
-/* [give] The same of generators (<fmb/generators.h>): a V-representation of cddlib and lrslib
- * (.ext), whatever how->format says; rows of its linearity line are lines. Errors: as above. */
+/* [give] Read generators (<fmb/generators.h>): a V-representation of cddlib and lrslib (.ext),
+ * whatever how->format says; rows of its linearity line are lines. Errors: as of fmb_system_read.
+ */
 FMB_API FMB_CHECKED fmb_status fmb_generators_read(FILE *in, const fmb_reader *how,
                                                    fmb_generators **out, fmb_where *where);
 FMB_API FMB_CHECKED fmb_status fmb_generators_parse(const char *text, size_t size,
                                                     const fmb_reader *how, fmb_generators **out,
                                                     fmb_where *where);
-/* Write g so that reading it back gives the same. Errors: ARG, IO. */
+/* Write g so that reading it back gives the same generators. Errors: ARG, IO. */
 FMB_API FMB_CHECKED fmb_status fmb_generators_write(const fmb_generators *g, FILE *out);
-/* The same to memory (<fmb/base.h>). Errors: ARG, MEMORY. */
+/* Write g to memory (<fmb/base.h>). Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_generators_print(const fmb_generators *g, char *text,
                                                     size_t size, size_t *length);
 

@@ -1,6 +1,6 @@
-/* fmb/options.h: how to solve, by value, from one table.
+/* fmb/options.h: the options of a solver, a structure passed by value, described by one table.
  *
- * The table feeds bounds checks, `fmb --help` and the man page.
+ * The table is the source of range checks, `fmb --help` and the man page.
  */
 #ifndef FMB_OPTIONS_H
 #define FMB_OPTIONS_H
@@ -27,8 +27,8 @@ typedef enum fmb_method {
     FMB_METHOD_DD        /* fmb_project by double description; the others as with AUTO */
 } fmb_method;
 
-/* Which variable is eliminated next, once there is none in an equality (it is substituted) or with
- * a column of one sign (its rows just go). */
+/* Which variable is eliminated next, if none is in an equality (it would be substituted) or has a
+ * column of one sign (its rows would be dropped). */
 typedef enum fmb_order {
     FMB_ORDER_PAIRS = 0, /* least p*q - p - q, with p and q rows of either sign */
     FMB_ORDER_GIVEN,     /* the least index */
@@ -36,8 +36,8 @@ typedef enum fmb_order {
     FMB_ORDER_FILL       /* least number of nonzeros in the combined rows, were there no overlap */
 } fmb_order;
 
-/* When a rule that drops rows for other reasons than histories works beside one of histories, which
- * then have to start anew from the rows at hand (a re-base; see fmb/rule.h). */
+/* When a rule that drops rows for other reasons than histories may work beside a rule of histories:
+ * histories must then start anew from the live rows (a re-base; see fmb/rule.h). */
 typedef enum fmb_rebase {
     FMB_REBASE_AUTO = 0, /* when it drops so many rows that it pays */
     FMB_REBASE_ALWAYS,   /* whenever it drops a row */
@@ -52,17 +52,17 @@ typedef enum fmb_simd {
     FMB_SIMD_AVX512 /* F, DQ and VPOPCNTDQ */
 } fmb_simd;
 
-/* Symmetries of a system: permutations of its variables, and of rows with them, that leave it what
- * it is. */
+/* Use of symmetries of a system: permutations of its variables, and of its rows, that leave the
+ * system unchanged. */
 typedef enum fmb_symmetries {
-    FMB_SYMMETRY_AUTO = 0, /* of those that are given (<fmb/symmetry.h>), support queries of
-                              fmb_project ask about one facet for each orbit */
+    FMB_SYMMETRY_AUTO = 0, /* support queries of fmb_project handle one facet per orbit of the given
+                              symmetries (<fmb/symmetry.h>) */
     FMB_SYMMETRY_NONE
 } fmb_symmetries;
 
 /* Which claims are kept. Those of an answer may need much memory: a point for each end of a box. */
 typedef enum fmb_evidence_kept {
-    FMB_EVIDENCE_ALL = 0, /* whatever proves the answer */
+    FMB_EVIDENCE_ALL = 0, /* all claims that prove the answer */
     FMB_EVIDENCE_NONE,
     FMB_EVIDENCE_VERDICT, /* why it is feasible or infeasible */
     FMB_EVIDENCE_WHOLE    /* all; and of a projection, that no row is missing, unless that takes too
@@ -79,27 +79,27 @@ typedef struct fmb_options {
     fmb_rebase rebase;
     const char *presolve; /* comma list of steps, "none", or NULL for all; borrowed */
     fmb_simd simd;
-    bool trace_rows;            /* tell the watcher of every row that is made */
+    bool trace_rows;            /* report every row that is made to the sink */
     fmb_evidence_kept evidence; /* for fmb_solver_evidence */
     double max_seconds;         /* wall clock per query [s]; 0 = no limit */
     size_t max_rows;            /* live rows [rows]; 0 = no limit */
     size_t max_bytes;           /* the sum of workspace, evidence and results [bytes], limbs too
                                    (<fmb/base.h>); a reduced system counts from the start, as much
-                                   as the whole one, and is given out even so; 0 = no limit */
+                                   as the whole one, and is handed out even so; 0 = no limit */
     size_t threads;             /* for the ends of a box, rows that may be redundant, rays, and two
-                                   ways to a projection at once; 0 or 1: the caller's alone. With
-                                   more the allocator (<fmb/base.h>) must be safe for threads.
+                                   engines of a projection at once; 0 or 1: only the caller's. With
+                                   more, the allocator (<fmb/base.h>) must be safe for threads.
                                    Answers are the same for any number; proofs may differ from those
-                                   of one */
-    fmb_symmetries symmetry;    /* use of symmetries that are given; answers are the same */
+                                   with one thread */
+    fmb_symmetries symmetry;    /* use of given symmetries; answers do not depend on it */
 } fmb_options;
 
-/* Why fmb_solver_new refuses these options, in one line: "max_seconds is -1", "" where it does not.
- * The length is returned (<fmb/base.h>, "Texts"). */
+/* Why fmb_solver_new refuses these options, in one line: "max_seconds is -1"; "" if it does not.
+ * Returns the length (<fmb/base.h>, "Texts"). */
 FMB_API size_t fmb_options_trouble(const fmb_options *o, char *text, size_t size);
 
 /* Set one field by name from text ("max_seconds", "2.5"). Errors: ARG (unknown name, a value out of
- * range, or options that are too small to have that field). Rule names are checked by
+ * range, or the structure is too small to have that field). Rule names are checked by
  * fmb_solver_new. */
 FMB_API FMB_CHECKED fmb_status fmb_options_set(fmb_options *o, const char *name, const char *value);
 
