@@ -268,6 +268,15 @@ static bool is_independent(search *s, int level, bool *told)
     return true;
 }
 
+/* So many at most can be chosen behind that one. */
+static int edges_after(const validate_difference *m, int i)
+{
+    const validate_edge *e = &m->edge[i];
+    if (m->dim <= 4 || e->side == 2)
+        return m->edges - 1 - i;
+    return m->naxes[e->side] - e->to + (e->side == 0 ? m->naxes[1] : 0) + m->moves;
+}
+
 /* All choices that go on from the first `level`, which are independent; told: doubles tell so. */
 static void choose(search *s, int level, int from, bool told)
 {
@@ -280,6 +289,8 @@ static void choose(search *s, int level, int from, bool told)
         const validate_edge *next = &s->m->edge[i];
         bool still = told;
         if (s->m->dim > 4 && last && last->side == next->side && last->corner != next->corner)
+            continue;
+        if (edges_after(s->m, i) < s->m->dim - 2 - level)
             continue;
         s->chosen[level] = i;
         if (is_independent(s, level, &still))

@@ -135,7 +135,7 @@ static void find_edge(const validate_farther *f, int chosen, const validate_edge
         }
         return;
     }
-    double longer = fmax(f->length[to], f->length[from]);
+    double longer = f->length[to] > f->length[from] ? f->length[to] : f->length[from];
     double plus = f->length[to] / longer, minus = f->length[from] / longer;
     for (int r = 0; r < rows; r++) {
         v[r] = plus * rest->x[r][to] - minus * rest->x[r][from];
@@ -179,20 +179,31 @@ bool validate_farther_choose(validate_farther *f, int chosen, const validate_edg
 
 /* ---- how far --------------------------------------------------------------------------------- */
 
-/* No less than this product comes with what is in those columns, along `sign` times the normal: of
- * sums all that are surely positive, of a simplex the largest of them. What is surely negative, or
- * 0, is exactly nothing. */
-static double sure_end(const validate_farther *f, int first, int n, bool simplex, double sign)
+/* Of what is in columns of one side: all of it, or of a simplex the largest. */
+static double sum_up(const double *way, bool simplex)
 {
-    const validate_rest *rest = &f->rest[f->m->dim - 1];
     double sum = 0, most = 0;
-    for (int c = first; c < first + n; c++) {
-        double at = (sign * rest->x[0][c] - rest->off[0]) * f->length[c];
-        at = at > 0 ? at : 0;
-        most = at > most ? at : most;
-        sum += at;
+    for (int c = 0; c < MOST; c++) {
+        sum += way[c];
+        most = way[c] > most ? way[c] : most;
     }
     return simplex ? most : sum;
+}
+
+/* M reaches no less far along sign times the normal, `off` being what that is off by: of columns
+ * that surely go back, or not at all, nothing is off. */
+static double sure_reach(const validate_farther *f, const double *x, double off, double sign)
+{
+    double way[VALIDATE_AWAY];
+    for (int c = 0; c < VALIDATE_AWAY; c++) {
+        double at = (sign * x[c] - off) * f->length[c];
+        way[c] = at > 0 ? at : 0;
+    }
+    double end = way[VALIDATE_DRIFT];
+    for (int k = 0; k < 2; k++)
+        end += sum_up(way + k * MOST, f->m->simplex[k]);
+    double away = (sign * x[VALIDATE_AWAY] - off) * f->length[VALIDATE_AWAY];
+    return end + away - 32 * ROUNDING * (end + fabs(away));
 }
 
 /* Less than 20 numbers are summed; what is lost where doubles end is less than LEAST. The normal is
@@ -208,13 +219,6 @@ bool validate_is_farther(const validate_farther *f)
         norm += size * size;
     }
     double beyond = ABOVE * f->claim * sqrt(norm) + LEAST;
-    for (double sign = -1; sign < 2; sign += 2) {
-        double away = (sign * rest->x[0][VALIDATE_AWAY] - rest->off[0]) * f->length[VALIDATE_AWAY];
-        double end = sure_end(f, VALIDATE_DRIFT, 1, false, sign);
-        for (int k = 0; k < 2; k++)
-            end += sure_end(f, k * MOST, m->naxes[k], m->simplex[k], sign);
-        if (!(end + away - 32 * ROUNDING * (end + fabs(away)) > beyond))
-            return false;
-    }
-    return true;
+    return sure_reach(f, rest->x[0], rest->off[0], 1) > beyond &&
+           sure_reach(f, rest->x[0], rest->off[0], -1) > beyond;
 }

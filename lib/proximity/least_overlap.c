@@ -280,6 +280,15 @@ static bool is_on_boundary(const fmb_least_overlap *x)
     return x->found && mpz_sgn(x->overlap) <= 0;
 }
 
+/* So many at most can be chosen behind that one. */
+static int directions_after(const fmb_normal_search *x, const fmb_normal_direction *d)
+{
+    int n = x->of[d->side].axes - d->end;
+    for (int side = d->side + 1; side < 3; side++)
+        n += x->of[side].axes;
+    return n;
+}
+
 /* All choices that go on from the first `level`; told: doubles tell that these are independent. */
 static fmb_status choose(fmb_normal_search *x, int level, int from, bool told,
                          fmb_least_overlap *out)
@@ -292,6 +301,8 @@ static fmb_status choose(fmb_normal_search *x, int level, int from, bool told,
         const fmb_normal_direction *next = &x->direction[i];
         bool still = told;
         if (last && last->side == next->side && last->group != next->group)
+            continue;
+        if (directions_after(x, next) < x->m->dim - 2 - level)
             continue;
         x->chosen[level] = i;
         if (!is_dependent(x, level, &still))

@@ -21,6 +21,7 @@
  */
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #include "proximity/normal_search.h"
 
@@ -164,7 +165,7 @@ static void find_direction(const fmb_normal_search *x, int chosen, const fmb_nor
     const fmb_normal_rest *rest = &x->rest[chosen];
     bool edge = d->from >= 0;
     int from = edge ? d->from : d->to;
-    double longer = fmax(x->length[d->to], x->length[from]);
+    double longer = x->length[d->to] > x->length[from] ? x->length[d->to] : x->length[from];
     double plus = edge ? x->length[d->to] / longer : 1, minus = edge ? x->length[from] / longer : 0;
     for (int r = 0; r < x->m->dim - chosen; r++) {
         v[r] = plus * rest->x[r][d->to] - minus * rest->x[r][from];
@@ -207,32 +208,44 @@ bool fmb_normal_is_independent(fmb_normal_search *x, int chosen)
 
 /* ---- overlaps -------------------------------------------------------------------------------- */
 
-/* What comes with `axes` columns along sign times the normal, if each product is larger by `off`:
- * of sums all that is positive, of a simplex the largest. So with an `off` below 0 what is surely
- * negative, or 0, is exactly nothing. */
-static double end_of(const fmb_normal_search *x, const fmb_normal_summand *f, double sign,
-                     double off)
+typedef double two __attribute__((vector_size(16)));
+typedef int64_t two_words __attribute__((vector_size(16)));
+
+static two larger(two a, two b)
 {
-    const double *y = x->rest[x->m->dim - 1].x[0];
-    int first = (int)(f - x->of) * MOST;
-    double sum = 0, most = 0;
-    for (int c = first; c < first + f->axes; c++) {
-        double at = (sign * y[c] + off) * x->length[c];
-        at = at > 0 ? at : 0;
-        most = at > most ? at : most;
-        sum += at;
-    }
-    return f->simplex ? most : sum;
+    two_words first = a > b;
+    return (two)((first & (two_words)a) | (~first & (two_words)b));
 }
 
-/* How far M reaches along sign times the normal, and no more (up = 1) or no less (-1) than that.
- * Less than 20 numbers are summed. */
+/* What comes with the columns of one side from y and `length` on, along sign times the normal: each
+ * is larger by `off`, and nothing if that is below 0; of sums all of them, of a simplex the
+ * largest.
+ */
+static double end_of(const double *y, const double *length, bool simplex, double sign, double off)
+{
+    two sum = {0, 0}, most = {0, 0}, at, size;
+    for (int c = 0; c < MOST; c += 2) {
+        memcpy(&at, y + c, sizeof at);
+        memcpy(&size, length + c, sizeof size);
+        at = larger((at * sign + off) * size, (two){0, 0});
+        sum += at;
+        most = larger(at, most);
+    }
+    return simplex ? (most[0] > most[1] ? most[0] : most[1]) : sum[0] + sum[1];
+}
+
+/* How far M reaches along sign times the normal, and no more (up = 1) or no less (-1) than that:
+ * each column goes as far as its length and what it is off by allow, and not at all if that is
+ * back. So of what is surely back, or not there, nothing is off. Less than 20 numbers are summed.
+ */
 static double reach_of(const fmb_normal_search *x, double sign, double up)
 {
-    const fmb_normal_rest *rest = &x->rest[x->m->dim - 1];
-    double off = up * rest->off[0], away = (sign * rest->x[0][AWAY] + off) * x->length[AWAY];
-    double end = end_of(x, &x->of[0], sign, off) + end_of(x, &x->of[1], sign, off) +
-                 end_of(x, &x->of[2], sign, off);
+    const double *y = x->rest[x->m->dim - 1].x[0], *length = x->length;
+    double off = up * x->rest[x->m->dim - 1].off[0], end = (sign * y[DRIFT] + off) * length[DRIFT];
+    double away = (sign * y[AWAY] + off) * length[AWAY];
+    end = end > 0 ? end : 0;
+    for (int k = 0; k < 2; k++)
+        end += end_of(y + k * MOST, length + k * MOST, x->of[k].simplex, sign, off);
     return end + away + up * (32 * FMB_NORMAL_ROUNDING * (end + fabs(away)) + LEAST);
 }
 
