@@ -99,14 +99,17 @@ static fmb_status ask_pair(fmb_mesh_frames *x, fmb_contact contact, const fmb_fr
     return st;
 }
 
-/* If one cell is flat, the other one must come first: coordinates in a flat cell are not unique. */
+/* If one cell is flat, the other one must come first: coordinates in a flat cell are not unique.
+ * Its corners are counted that are shared: of a flat cell one may come twice. */
 fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
-                                  bool flat_b, int shared, fmb_mesh_how *out)
+                                  bool flat_b, fmb_mesh_how *out)
 {
     bool swap = !x->motion && !flat_b, meet = true, cross = false, beyond = false;
+    const fmb_cell *first = swap ? b : a, *second = swap ? a : b;
+    int shared = fmb_cell_count(fmb_cell_common(first, second));
     framed_cell p, q;
-    frame_cell(swap ? b : a, swap ? a : b, NULL, &p);
-    frame_cell(swap ? a : b, swap ? b : a, x->motion, &q);
+    frame_cell(first, second, NULL, &p);
+    frame_cell(second, first, x->motion, &q);
     const fmb_frame f[2] = {p.frame, q.frame};
     fmb_status st = FMB_OK;
     if (shared == 0)

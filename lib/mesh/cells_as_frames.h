@@ -23,7 +23,7 @@ void fmb_mesh_frames_close(fmb_mesh_frames *x);
 /* Decide any two cells; if something moves, only whether they meet (TOUCH). flat_b: b is flat.
  * Errors: MEMORY. */
 fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
-                                  bool flat_b, int shared, fmb_mesh_how *out);
+                                  bool flat_b, fmb_mesh_how *out);
 
 /* range[0] <= the distance of two cells, b moving by motion or NULL, <= range[1]; as
  * fmb_contact_range. */

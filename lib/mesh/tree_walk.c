@@ -18,8 +18,7 @@ static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_tr
         return FMB_OK;
     x->out.framed++;
     FMB_TRY(fmb_run_poll_now(&x->run));
-    return fmb_mesh_decide_frames(&x->frames, a, b, (faults >> 4 & FMB_MESH_FLAT) != 0, shared,
-                                  how);
+    return fmb_mesh_decide_frames(&x->frames, a, b, (faults >> 4 & FMB_MESH_FLAT) != 0, how);
 }
 
 static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
