@@ -367,6 +367,29 @@ Test(proximity, common_points_fill_the_box)
     cr_expect(meeting_pairs > 60, "%d", meeting_pairs);
 }
 
+/* Far more ways to write its points than it has vertices. */
+Test(proximity, common_points_of_a_hull_of_many)
+{
+    enum { DIM = 5, POINTS = 40 };
+    support_rng g = {24};
+    double point[POINTS][DIM], low[DIM], side[DIM][DIM] = {{0}};
+    for (int i = 0; i < POINTS * DIM; i++)
+        point[i / DIM][i % DIM] = support_between(&g, -9, 9);
+    for (int j = 0; j < DIM; j++) {
+        low[j] = -4;
+        side[j][j] = 8;
+    }
+    const fmb_frame f[2] = {
+        {FMB_SIMPLEX_BY_CORNERS, DIM, POINTS - 1, point[0], point[1], NULL},
+        {FMB_CUBOID, DIM, DIM, low, side[0], NULL},
+    };
+    fmb_generators *common = NULL;
+    must(fmb_common(solver, f, &common, NULL));
+    cr_assert(common);
+    expect_box(f, common);
+    fmb_generators_free(common);
+}
+
 /* The plane z = x through a cube of side 2: a rectangle with a corner cut off, in its order. */
 Test(proximity, polygons_in_space_are_in_order)
 {
