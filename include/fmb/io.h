@@ -128,8 +128,7 @@ FMB_API FMB_CHECKED fmb_status fmb_script_term(fmb_script *s, size_t i, const ch
 typedef struct fmb_generators fmb_generators; /* <fmb/generators.h> */
 
 /* [give] Read generators (<fmb/generators.h>): a V-representation of cddlib and lrslib (.ext),
- * whatever how->format says; rows of its linearity line are lines. Errors: as of fmb_system_read.
- */
+ * whatever how->format says; rows of its linearity line are lines. Errors: as fmb_system_read. */
 FMB_API FMB_CHECKED fmb_status fmb_generators_read(FILE *in, const fmb_reader *how,
                                                    fmb_generators **out, fmb_where *where);
 FMB_API FMB_CHECKED fmb_status fmb_generators_parse(const char *text, size_t size,

@@ -1,13 +1,12 @@
-/* fmb/solve.h: the five questions. Is it feasible, what is its projection, its tightest box, the
- * best value of a linear form, which rows are redundant.
+/* fmb/solve.h: the five queries about a system: is it feasible, what is its projection, its
+ * tightest box, the best value of a linear form, which rows are redundant.
  *
  * A solver owns the options, the workspace and the last answer; it belongs to one thread at a time
  * and may be used for any number of queries, also after a limit, a cancel or a failed allocation.
- * Besides the errors listed, every query may return RULE, where rules do not go together, and what
- * a rule or chooser of the caller's brings about (<fmb/rule.h>). No argument crashes: a solver,
+ * Besides the errors listed, every query may return RULE, if rules are incompatible, and errors
+ * that a rule or chooser of the caller's causes (<fmb/rule.h>). No argument crashes: a solver,
  * system or out that is NULL, or a variable out of range, is ARG, and fmb_solver_trouble says
- * which; the last answer stays. res may be NULL; else its size
- * is set (<fmb/base.h>).
+ * which; the last answer is kept. res may be NULL; else its size must be set (<fmb/base.h>).
  */
 #ifndef FMB_SOLVE_H
 #define FMB_SOLVE_H
@@ -25,15 +24,15 @@ extern "C" {
 typedef struct fmb_solver fmb_solver;
 /* Intervals of variables. */
 typedef struct fmb_box fmb_box;
-/* The best value of a form, and where it is reached. */
+/* The best value of a form, and where it is attained. */
 typedef struct fmb_optimum fmb_optimum;
 
-/* What a query took. */
+/* The effort of a query. */
 typedef struct fmb_stats {
     uint64_t rounds;       /* variables eliminated by pairing rows */
-    uint64_t pairs;        /* pairs of rows looked at */
+    uint64_t pairs;        /* pairs of rows considered */
     uint64_t rows_made;    /* rows combined */
-    uint64_t rows_kept;    /* of those, rows still there after the rules of their round */
+    uint64_t rows_kept;    /* of those, rows kept by the rules of their round */
     uint64_t rows_dropped; /* pairs and rows dropped by rules */
     uint64_t rows_peak;    /* most live rows at once */
     uint64_t promotions;   /* rows widened to GMP */
@@ -46,10 +45,10 @@ typedef struct fmb_stats {
 /* How a query ended. */
 typedef struct fmb_result {
     size_t size;         /* sizeof(fmb_result) */
-    fmb_verdict verdict; /* the answer; of all other verbs: is the system feasible */
+    fmb_verdict verdict; /* of fmb_solve the answer; of all other verbs: is the system feasible */
     fmb_trust trust;     /* how it was obtained */
     fmb_stop stop;       /* FMB_STOP_DONE unless cut short */
-    fmb_stats stats;     /* last, as it is what grows */
+    fmb_stats stats;     /* last, as it may grow in later versions */
 } fmb_result;
 
 /* [give] Options are copied. Errors: ARG (an option out of range, or instructions that the
@@ -58,17 +57,17 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_new(const fmb_options *o, const fmb_al
                                               fmb_solver **out);
 FMB_API void fmb_solver_free(fmb_solver *v);
 
-/* Ask a running query to stop soon; a query that starts later is not touched. The one call allowed
+/* Ask a running query to stop soon; a query that starts later is not affected. The one call allowed
  * from another thread or a signal handler. */
 FMB_API void fmb_solver_cancel(fmb_solver *v);
 
 /* Why the last call with this solver returned FMB_ERR_ARG or FMB_ERR_RULE, one line that names the
  * argument, its value or the rules: "keep[2] is 7, but there are 3 variables". After a projection
- * with evidence FMB_EVIDENCE_WHOLE whose completeness is not proved: why not. Else "".
- * Good until the next call. A call without a solver has nowhere to say it. */
+ * with evidence FMB_EVIDENCE_WHOLE whose completeness is not proved: why not. Else "". Valid until
+ * the next call. Errors of a call without a solver are not recorded. */
 FMB_API const char *fmb_solver_trouble(const fmb_solver *v);
 
-/* Watch queries from now on; {NULL, NULL} is silence. */
+/* Report events of queries to this sink from now on; {NULL, NULL}: to none. */
 FMB_API void fmb_solver_set_sink(fmb_solver *v, fmb_sink sink);
 
 /* Is s satisfiable? Cost can be doubly exponential in dim: set a limit. Errors: ARG, MEMORY. */
@@ -79,11 +78,11 @@ FMB_API FMB_CHECKED fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb
  * canonical: equal projections have the same rows in the same order, however s describes them and
  * whatever the options are. Equations come first, in reduced echelon form: the first variable of
  * each is named by no other row. Then inequalities, those of fewer variables first: one for each
- * facet, < where the facet is missing; and where other faces are missing, one with < for each of
- * the largest, the sum of the facets that hold it. Numbers are coprime integers. If a limit was
- * reached (res->stop), *out is an outer one: rows that follow from s, perhaps too few or more than
- * are needed; and evidence of what was found from within has claims FEASIBLE: the kept coordinates
- * of their points are in the projection. Errors: ARG, MEMORY. */
+ * facet, < if the facet does not belong to the projection; and for each maximal other face that
+ * does not belong to it, one with <, the sum of the facets that contain it. Numbers are coprime
+ * integers. If a limit was reached (res->stop), *out is an outer approximation: rows that follow
+ * from s, perhaps too few or redundant ones; and claims FEASIBLE in the evidence give an inner one:
+ * the kept coordinates of their points are in the projection. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep,
                                            int n, fmb_system **out, fmb_result *res);
 
@@ -104,45 +103,45 @@ FMB_API FMB_CHECKED fmb_status fmb_optimize(fmb_solver *v, const fmb_system *s,
                                             const fmb_objective *objective, fmb_optimum **out,
                                             fmb_result *res);
 
-/* What became of a row. */
+/* What fmb_reduce found about a row. */
 typedef enum fmb_fate {
     FMB_FATE_UNKNOWN = 0, /* a limit was reached first */
     FMB_FATE_KEPT,        /* irredundant */
     FMB_FATE_EQUALITY,    /* an inequality that always holds with equality: kept as an equality */
-    FMB_FATE_REDUNDANT    /* follows from the rows that stay */
+    FMB_FATE_REDUNDANT    /* follows from the kept rows */
 } fmb_fate;
 
 /* [give] An irredundant system with the same solutions: rows of s in their order, inequalities that
  * always hold with equality turned into equalities; the single row 0 <= -1 if s is infeasible.
- * fate[rows], unless NULL, says what became of each. If a limit was reached, rows not yet tested
- * are kept; *out is NULL where that limit is max_bytes and a copy of s is more than it: s is what
- * is known then, without the rows that fate says to be redundant. Errors: ARG, MEMORY. */
+ * fate[rows], unless NULL, is set for each row of s. If a limit was reached, rows not yet tested
+ * are kept; *out is NULL if that limit is max_bytes and a copy of s exceeds it: the result is then
+ * s without the rows that are redundant by fate. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate,
                                           fmb_system **out, fmb_result *res);
 
-/* [give] Evidence for the last query; nothing is copied. Where a limit was reached, what was proved
- * so far. Errors: ARG, STATE (no answer, or options.evidence is NONE). */
+/* [give] Evidence for the last query; nothing is copied. If a limit was reached, it has the claims
+ * proved so far. Errors: ARG, STATE (no answer, or options.evidence is NONE). */
 FMB_API FMB_CHECKED fmb_status fmb_solver_evidence(const fmb_solver *v, fmb_evidence **out);
 
 /* ---- the point, or the rows in conflict -------------------------------------------------------
  *
- * What the last answer rests on, if options.evidence was not NONE; else, and where the last query
- * found no such thing or ended with an error, STATE, and fmb_solver_trouble says which.
+ * They are read from the evidence of the last answer, if options.evidence was not NONE; else, and
+ * if the last query found none or ended with an error, STATE, and fmb_solver_trouble says which.
  */
 
-/* A solution, as the nearest double per coordinate: x[dim] of the system that was asked about.
- * Errors: ARG (NULL), STATE. */
+/* A solution, as the nearest double per coordinate: x[dim] of the queried system. Errors: ARG
+ * (NULL), STATE. */
 FMB_API FMB_CHECKED fmb_status fmb_solver_point(fmb_solver *v, double *x);
-/* Its coordinate j as exact text (fmb_system_term_text); "0" where there is none. */
+/* Its coordinate j as exact text (fmb_system_term_text); "0" if there is none. */
 FMB_API size_t fmb_solver_point_text(const fmb_solver *v, int j, char *text, size_t size);
 
-/* The conflict: rows that have no common solution, each with the multiplier by which they add up to
+/* The conflict: *n rows that have no common solution, with multipliers by which they add up to
  * 0 <= negative, or 0 < 0; those of inequalities are positive. It is an irreducible infeasible
- * subsystem (IIS): without any of its rows the others have a solution; unless res->stop told of a
- * limit, when it may have more rows than that. *n rows. Errors: ARG (NULL), STATE. */
+ * subsystem (IIS): without any one of its rows the others have a solution; but after a limit
+ * (res->stop) it may have more rows. Errors: ARG (NULL), STATE. */
 FMB_API FMB_CHECKED fmb_status fmb_solver_conflict(fmb_solver *v, size_t *n);
-/* Its k-th row, in increasing order, SIZE_MAX where there is none; the multiplier of that row, a
- * whole number, as the nearest double and as exact text; 0 where there is none. */
+/* Its k-th row, in increasing order, SIZE_MAX if there is none; the multiplier of that row, an
+ * integer, as the nearest double and as exact text; 0 if there is none. */
 FMB_API size_t fmb_solver_conflict_row(const fmb_solver *v, size_t k);
 FMB_API double fmb_solver_conflict_multiplier(const fmb_solver *v, size_t k);
 FMB_API size_t fmb_solver_conflict_multiplier_text(const fmb_solver *v, size_t k, char *text,
@@ -166,7 +165,7 @@ typedef struct fmb_end {
     double value;  /* rounded outward; -INFINITY or INFINITY unless finite or outer */
 } fmb_end;
 
-/* Where there is no such interval or side: -1, and an end UNKNOWN with value 0. */
+/* If there is no such interval or side: -1, and an end UNKNOWN with value 0. */
 FMB_API void fmb_box_free(fmb_box *b);
 FMB_API int fmb_box_size(const fmb_box *b);       /* number of intervals */
 FMB_API int fmb_box_var(const fmb_box *b, int i); /* the variable of interval i */
@@ -183,24 +182,23 @@ FMB_API FMB_CHECKED fmb_status fmb_box_ends(const fmb_box *b, double *lower, dou
 
 /* NULL is fine. */
 FMB_API void fmb_optimum_free(fmb_optimum *o);
-/* Which way the form was to go; NONE for NULL. */
+/* The sense of the objective; NONE for NULL. */
 FMB_API fmb_sense fmb_optimum_sense(const fmb_optimum *o);
-/* How far it goes, its constant included. FINITE: the optimum, attained or approached; OUTER: no
- * solution is beyond; INFINITE: unbounded. UNKNOWN for NULL. */
+/* The optimal value, its constant included. FINITE: the optimum, attained or approached; OUTER: no
+ * solution has a better value; INFINITE: unbounded. UNKNOWN for NULL. */
 FMB_API fmb_end fmb_optimum_end(const fmb_optimum *o);
 /* Its value rounded to the nearest double, infinite unless it is finite or outer, 0 for NULL; and
  * as exact text (<fmb/base.h>), "" unless it is finite or outer. */
 FMB_API double fmb_optimum_nearest(const fmb_optimum *o);
 FMB_API size_t fmb_optimum_value_text(const fmb_optimum *o, char *text, size_t size);
 /* Coordinate j, as the nearest double, of a point and, if the form is unbounded, of a ray. The
- * point is at the optimum where that is FINITE: a solution if it is attained, else it satisfies the
- * rows with < read as <=, and solutions come as near as you like. In other cases, where the system
- * is known to be feasible, it is some solution; after a limit, the best that was met. From a
- * solution every point along the ray is one, and the form grows (for MIN: falls). 0 where there is
- * none. */
+ * point is at the optimum if that is FINITE: a solution if it is attained, else it satisfies the
+ * rows with < read as <=, and solutions come arbitrarily near. Otherwise, if the system is known to
+ * be feasible, it is some solution; after a limit, the best one found. From a solution all points
+ * along the ray are solutions, and the form increases (for MIN: decreases). 0 if there is none. */
 FMB_API double fmb_optimum_coordinate(const fmb_optimum *o, int j);
 FMB_API double fmb_optimum_ray(const fmb_optimum *o, int j);
-/* The same as exact text. */
+/* These coordinates as exact text. */
 FMB_API size_t fmb_optimum_coordinate_text(const fmb_optimum *o, int j, char *text, size_t size);
 FMB_API size_t fmb_optimum_ray_text(const fmb_optimum *o, int j, char *text, size_t size);
 

@@ -17,7 +17,7 @@ extern "C" {
 /* A system. */
 typedef struct fmb_system fmb_system;
 
-/* The most variables of a system: names and marks take some 70 bytes each, asked for or not. */
+/* The most variables of a system: names and marks take some 70 bytes each, used or not. */
 #define FMB_DIM_MAX 1000000
 
 /* [give] An empty system over 0 <= dim <= FMB_DIM_MAX variables named x1, x2, ... Errors: ARG,
@@ -28,8 +28,8 @@ FMB_API FMB_CHECKED fmb_status fmb_system_copy(const fmb_system *s, fmb_system *
 FMB_API void fmb_system_free(fmb_system *s);
 
 /* What was wrong with the arguments of the last call on s that returned FMB_ERR_ARG, or with the
- * numbers of fmb_system_add_terms_text, in one line: which one, and its value or name; "" if there
- * was none. Valid until the next change of s. */
+ * numbers of fmb_system_add_terms_text, in one line: which one, and its value or name; "" if no
+ * call failed. Valid until the next change of s. */
 FMB_API const char *fmb_system_trouble(const fmb_system *s);
 
 /* Number of variables; number of rows. */
@@ -41,7 +41,7 @@ FMB_API FMB_CHECKED fmb_status fmb_system_add(fmb_system *s, const double *a, fm
                                               double b);
 FMB_API FMB_CHECKED fmb_status fmb_system_add_int(fmb_system *s, const int64_t *a, fmb_rel rel,
                                                   int64_t b);
-/* Append sum coef[k] x_var[k] REL b, n terms in any order; a variable that comes twice is added up.
+/* Append sum coef[k] x_var[k] REL b, n terms in any order; terms of the same variable are added up.
  * Errors: ARG (as above; variable out of range), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add_terms(fmb_system *s, size_t n, const int *var,
                                                     const double *coef, fmb_rel rel, double b);
@@ -61,23 +61,23 @@ FMB_API FMB_CHECKED fmb_status fmb_system_add_rows_int(fmb_system *s, size_t row
                                                        const int64_t *coef, const fmb_rel *rel,
                                                        const int64_t *b);
 
-/* Relation of row i < rows; FMB_LE where there is no such row. */
+/* Relation of row i < rows; FMB_LE if there is no such row. */
 FMB_API fmb_rel fmb_system_rel(const fmb_system *s, size_t i);
-/* Number of nonzero terms of row i; 0 where there is no such row. And of all rows. */
+/* Number of nonzero terms of row i, 0 if there is no such row; and of all rows. */
 FMB_API size_t fmb_system_terms(const fmb_system *s, size_t i);
 FMB_API size_t fmb_system_nonzeros(const fmb_system *s);
 /* The rows first .. first + n in compressed rows: start[n + 1], from 0; var and coef by term, of
  * which there are start[n] (fmb_system_terms of one row, fmb_system_nonzeros of all), by increasing
  * variable; rel[n]; b[n]. Each of these may be NULL. As doubles: the nearest. As integers: RANGE,
- * and nothing is written, where a number asked for is none, or none of 64 bits. Errors: ARG (no
- * such rows), RANGE. */
+ * and nothing is written, if a requested number is no integer of 64 bits. Errors: ARG (no such
+ * rows), RANGE. */
 FMB_API FMB_CHECKED fmb_status fmb_system_get_rows(const fmb_system *s, size_t first, size_t n,
                                                    size_t *start, int *var, double *coef,
                                                    fmb_rel *rel, double *b);
 FMB_API FMB_CHECKED fmb_status fmb_system_get_rows_int(const fmb_system *s, size_t first, size_t n,
                                                        size_t *start, int *var, int64_t *coef,
                                                        fmb_rel *rel, int64_t *b);
-/* All of them as one object, for whoever would not allocate. The arrays are the matrix's. */
+/* All rows as one object, so that the caller need not allocate. The arrays belong to it. */
 typedef struct fmb_matrix {
     size_t rows, terms; /* terms: of all rows */
     int dim;
@@ -92,17 +92,17 @@ typedef struct fmb_matrix {
  */
 FMB_API FMB_CHECKED fmb_status fmb_system_matrix(const fmb_system *s, fmb_matrix **out);
 FMB_API void fmb_matrix_free(fmb_matrix *m);
-/* The coefficient of term k of row i as exact text, "-1/3", and its right side; "0" where there is
- * none. The length without the NUL is returned, and text[size] is written only if size is more than
- * that, as of all numbers as text (<fmb/base.h>). */
+/* The coefficient of term k of row i as exact text, "-1/3", and its right side; "0" if there is
+ * none. Returns the length without the NUL, and writes text[size] only if size is larger, like all
+ * functions for numbers as text (<fmb/base.h>). */
 FMB_API size_t fmb_system_term_text(const fmb_system *s, size_t i, size_t k, char *text,
                                     size_t size);
 FMB_API size_t fmb_system_rhs_text(const fmb_system *s, size_t i, char *text, size_t size);
 
 /* Append the rows of another system, with their labels; its variable j is variable var[j] of s,
- * which may come twice, and is integer if either is. var NULL: the same numbers. So systems are
- * stacked: the solutions of s are then common ones. Nothing is appended on failure. Errors: ARG
- * (variable out of range), MEMORY. */
+ * which may occur repeatedly, and is integer if either is. var NULL: the same numbers. So systems
+ * are combined: the solutions of s are then the common ones. Nothing is appended on failure.
+ * Errors: ARG (variable out of range), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_join(fmb_system *s, const fmb_system *more,
                                                const int *var);
 
@@ -121,8 +121,8 @@ FMB_API int fmb_system_find(const fmb_system *s, const char *name);
 FMB_API const char *fmb_system_label(const fmb_system *s, size_t i);
 FMB_API FMB_CHECKED fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label);
 
-/* The variables that the source asks to project on (`project` and `eliminate` lines of .ine files):
- * a mark per variable, all false if the source asks for nothing. */
+/* The variables on which the source requests a projection (`project` and `eliminate` lines of .ine
+ * files): a mark per variable, all false if it requests none. */
 FMB_API bool fmb_system_asks_projection(const fmb_system *s);
 FMB_API bool fmb_system_is_kept(const fmb_system *s, int j);
 FMB_API void fmb_system_set_kept(fmb_system *s, int j, bool kept);
@@ -135,26 +135,26 @@ FMB_API void fmb_system_set_kept(fmb_system *s, int j, bool kept);
 FMB_API FMB_CHECKED fmb_status fmb_system_set_integer(fmb_system *s, int j, bool integer);
 FMB_API bool fmb_system_is_integer(const fmb_system *s, int j);
 
-/* Which way a linear form is to go. */
+/* Whether a linear form is maximized or minimized. */
 typedef enum fmb_sense { FMB_SENSE_NONE = 0, FMB_SENSE_MAX, FMB_SENSE_MIN } fmb_sense;
 
-/* A linear form coef.x + constant that is to become as large or as small as it can; in rationals:
- * fmb_objective_q of <fmb/gmp.h>. */
+/* A linear form coef.x + constant to be maximized or minimized; in rationals: fmb_objective_q of
+ * <fmb/gmp.h>. */
 typedef struct fmb_objective {
     fmb_sense sense;
     const double *coef; /* [dim]; a double means its exact binary value */
     double constant;
 } fmb_objective;
 
-/* A system may carry one objective, which fmb_optimize asks about and nothing else: `max` and `min`
- * lines of .fmb, `maximize` and `minimize` of .ine and SMT-LIB, the objectives of MPS and LP. The
- * objective is copied and takes the place of an older one; NULL, or one without sense, removes it.
- * Copies of a system keep it, and what fmb_reduce makes of it; so does a projection on all
- * variables that the objective names. A join leaves that of s as it is. Errors: ARG (coef NULL, a
- * number that is not finite, no such sense), MEMORY. */
+/* A system may carry one objective, which only fmb_optimize uses: `max` and `min` lines of .fmb,
+ * `maximize` and `minimize` of .ine and SMT-LIB, the objectives of MPS and LP. The objective is
+ * copied and replaces an older one; NULL, or one without sense, removes it. Copies of a system keep
+ * it, and the results of fmb_reduce; so does a projection that keeps all variables in the
+ * objective. A join does not change that of s. Errors: ARG (coef NULL, a number that is not finite,
+ * no such sense), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_set_objective(fmb_system *s, const fmb_objective *o);
-/* The same of n terms, as in fmb_system_add_terms; a sense is needed. Errors: ARG (also: variable
- * out of range), MEMORY. */
+/* Set an objective of n terms, as in fmb_system_add_terms; it needs a sense. Errors: ARG (also:
+ * variable out of range), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_set_objective_terms(fmb_system *s, fmb_sense sense,
                                                               size_t n, const int *var,
                                                               const double *coef, double constant);
@@ -169,11 +169,11 @@ FMB_API size_t fmb_system_objective_terms(const fmb_system *s);
  * may be NULL. Nothing is written if there is none. */
 FMB_API fmb_sense fmb_system_get_objective(const fmb_system *s, int *var, double *coef,
                                            double *constant);
-/* The same in integers: RANGE, and nothing is written, where a number asked for is none, or none of
- * 64 bits. OK, and nothing is written, where there is no objective. Errors: ARG (s NULL), RANGE. */
+/* Its numbers as integers: RANGE, and nothing is written, if a requested number is no integer of 64
+ * bits. OK, and nothing is written, if there is no objective. Errors: ARG (s NULL), RANGE. */
 FMB_API FMB_CHECKED fmb_status fmb_system_get_objective_int(const fmb_system *s, int *var,
                                                             int64_t *coef, int64_t *constant);
-/* Its numbers as text, in the manner of fmb_system_term_text. */
+/* Its numbers as text, like fmb_system_term_text. */
 FMB_API size_t fmb_system_objective_term_text(const fmb_system *s, size_t k, char *text,
                                               size_t size);
 FMB_API size_t fmb_system_objective_constant_text(const fmb_system *s, char *text, size_t size);
