@@ -13,13 +13,13 @@ study_pair_plan cell_plan(int i);
 /* [static] "2D still  CC" */
 const char *cell_text(const study_pair_plan *plan);
 
-/* The first n pairs of the plan with that verdict, as k tells it; seed 1. */
+/* The first n pairs of the plan for which k decides that verdict; seed 1. */
 study_pairs cell_pairs(const study_pair_plan *plan, size_t n, fmb_pair *k, fmb_verdict verdict);
 
-/* "--simd=plain", ...; false: another word. */
+/* "--simd=plain", ...; false for any other word. */
 bool parse_simd(const char *word, fmb_simd *out);
 
-/* Stop the program unless all is well. */
+/* Stop the program unless st is FMB_OK. */
 void must(fmb_status st);
 
 #endif

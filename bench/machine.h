@@ -1,4 +1,4 @@
-/* machine.h: what a benchmark was run on, for its report; and the clock all benchmarks use. */
+/* machine.h: the machine of a benchmark, for its report; and the clock that all benchmarks use. */
 #ifndef FMB_BENCH_MACHINE_H
 #define FMB_BENCH_MACHINE_H
 

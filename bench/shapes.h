@@ -1,4 +1,4 @@
-/* shapes.h: systems as they come from two cuboids or simplices that may meet, still or moving. */
+/* shapes.h: systems of two cuboids or simplices that may intersect, still or moving. */
 #ifndef FMB_BENCH_SHAPES_H
 #define FMB_BENCH_SHAPES_H
 
@@ -9,7 +9,7 @@
  * NULL if memory runs out. */
 fmb_system *shape_pair(unsigned i, char name[16]);
 
-/* Kinds there are. */
+/* The number of kinds. */
 enum { SHAPE_KINDS = 14 };
 
 #endif

@@ -10,7 +10,7 @@ typedef struct subject_plan {
     size_t files;
 } subject_plan;
 
-/* "project", ..., or "pairs": what is asked of p, or of any problem of rows (NULL), in a word. */
+/* The question in a word: "project", ..., or "pairs". p NULL: any problem of rows. */
 const char *subject_word(const problem *p, peer_question question);
 /* Takes over p. */
 typedef void subject_ask(void *self, problem *p, peer_question question);

@@ -1,14 +1,14 @@
-/* table.h: what switching ways off cost, way by way. */
+/* table.h: the cost of switching off each way of the library. */
 #ifndef FMB_ABLATE_TABLE_H
 #define FMB_ABLATE_TABLE_H
 
 #include "base/ways.h"
 #include "subjects.h"
 
-/* One problem, with a way and without. */
+/* One problem, with one way on and off. */
 typedef struct table_cell {
-    unsigned long long asked, answered; /* with it */
-    double with, without;               /* [s]; without: at least, where that did not finish */
+    unsigned long long asked, answered; /* with the way on */
+    double with, without;               /* [s]; without is a lower bound if unfinished */
     bool unfinished;
     double peak_with, peak_without; /* [bytes] */
 } table_cell;
@@ -22,7 +22,7 @@ typedef struct table_row {
     char worst_name[64];
 } table_row;
 
-/* The last row is all ways on, twice: what is noise. */
+/* The last row compares two runs with all ways on: the noise. */
 typedef struct table {
     table_row row[FMB_WAY_COUNT + 1];
 } table;

@@ -1,4 +1,4 @@
-/* bars.h: what the lines of a trial have to clear. */
+/* bars.h: the limits that the results of a trial must keep. */
 #ifndef FMB_BENCH_BARS_H
 #define FMB_BENCH_BARS_H
 
@@ -7,7 +7,7 @@
 typedef struct bar_result {
     const char *about; /* static */
     double value, limit;
-    bool least; /* the value has to be at least the limit, not at most */
+    bool least; /* the value must be at least the limit, not at most */
     bool good, known;
     char worst[96]; /* the system that decides, or "" */
 } bar_result;

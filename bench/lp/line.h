@@ -1,4 +1,4 @@
-/* line.h: one question about one system, asked of all drivers, round by round. */
+/* line.h: the answers of all drivers to one question about one system, round by round. */
 #ifndef FMB_BENCH_LINE_H
 #define FMB_BENCH_LINE_H
 
@@ -26,8 +26,7 @@ typedef struct line {
     size_t m, terms, bytes;
     peer_question question;
     subject_dress dress;
-    child_outcome outcome[LINE_DRIVERS]; /* typical: the median over the rounds; texts, numbers gone
-                                          */
+    child_outcome outcome[LINE_DRIVERS]; /* typical: median over the rounds; no text, no number */
     bool differs[LINE_DRIVERS];          /* from fmb's answer */
     fmb_verdict verdict;                 /* fmb's */
     line_fault fault;
@@ -35,9 +34,9 @@ typedef struct line {
 } line;
 
 void line_measure(line *l, const subject *s, subject_dress dress, const line_plan *plan);
-/* How many times the time of driver d fmb took; 0 if one of them has none. */
+/* The time of fmb over that of driver d; 0 if one of the times is missing. */
 double line_ratio(const line *l, int d);
-/* May it take that much memory? 50 times its system and 50 MB. */
+/* Is the peak memory of fmb at most 50 times that of the system plus 50 MB? */
 bool line_is_lean(const line *l);
 
 #endif

@@ -1,12 +1,12 @@
-/* subject.h: a system that is asked about: a file, or one drawn from a family, or either in another
- * dress. */
+/* subject.h: a system to measure: read from a file or drawn from a family, perhaps rescaled or with
+ * long fractions. */
 #ifndef FMB_BENCH_SUBJECT_H
 #define FMB_BENCH_SUBJECT_H
 
 #include "child.h"
 #include "study/program/program.h"
 
-/* What became of the system before it was asked about. */
+/* How the system was changed before the measurement. */
 typedef enum subject_dress {
     DRESS_NONE = 0,
     DRESS_SCALES,   /* rows and columns times 10^-9 ... 10^9 */
@@ -28,7 +28,7 @@ typedef struct subject {
 /* A path, or a family and perhaps a size (program.h). False, and a message on stderr, if it is
  * neither. */
 bool subject_open(subject *s, const char *what, subject_dress dress, uint64_t seed);
-/* The same of a plan. */
+/* Like subject_open, for a plan of a family. */
 bool subject_draw(subject *s, const study_program_plan *plan, subject_dress dress);
 void subject_close(subject *s);
 

@@ -6,11 +6,11 @@
 
 void table_head(const char *title, const line_plan *plan);
 void table_line(const line *l, const line_plan *plan);
-/* Geometric means, largest ratios, what is undecided. */
+/* Geometric means, largest ratios, undecided systems. */
 void table_summary(const lines *all, const line_plan *plan);
 void table_bars(const bar_result *r, int n);
 
-/* What was asked together. */
+/* The lines of one trial, for the JSON. */
 typedef struct table_part {
     const char *name;
     line_plan plan;

@@ -1,4 +1,4 @@
-/* trial.h: which systems are asked what, together; their lines. */
+/* trial.h: trials: which questions are put about which systems, and the resulting lines. */
 #ifndef FMB_BENCH_TRIAL_H
 #define FMB_BENCH_TRIAL_H
 
@@ -9,13 +9,13 @@ typedef struct lines {
     size_t n;
 } lines;
 
-/* How a run was asked for. */
+/* The arguments of a run. */
 typedef struct setup {
     const char *cases; /* the folder of collected cases */
-    const char *peers; /* comma list of drivers, or NULL: those of the trial */
-    double seconds;    /* of one answer [s]; 0: as the trial says */
+    const char *peers; /* comma list of drivers, or NULL: the trial's own */
+    double seconds;    /* limit of one answer [s]; 0: the trial's own */
     size_t bytes;      /* address space of a child [bytes]; 0: no limit, for sanitizers */
-    int rounds;        /* 0: as the trial says */
+    int rounds;        /* 0: the trial's own */
     bool quick;
     bool terse; /* no line for each system */
     uint64_t seed;
@@ -32,15 +32,15 @@ typedef struct question {
 
 /* The plan of a question, with the drivers that this build has. */
 line_plan plan_of(const question *q, const setup *how);
-/* Ask about one system, and print its line. False if there is no such system. */
+/* Measure one system and print its line. False if there is no such system. */
 bool ask_about(lines *to, const char *what, subject_dress dress, const question *q,
                const setup *how);
 
-/* A trial of the bars. */
+/* A set of systems and a question; bars.h judges the lines. */
 typedef struct trial {
     const char *name, *about;
     question question;
-    bool (*run)(const struct trial *t, const setup *how, lines *to); /* false: no cases */
+    bool (*run)(const struct trial *t, const setup *how, lines *to); /* false: cases not found */
 } trial;
 
 extern const trial TRIALS[];

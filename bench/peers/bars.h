@@ -1,14 +1,14 @@
-/* bars.h: how far ahead fmb is to be, and how far it is: in projections against the established
- * libraries, against PPLite, and against the best of its own ways by itself; in vertices and hulls
- * against each library. */
+/* bars.h: the required and the measured lead of fmb: in projections over the established libraries,
+ * over PPLite, and over the best of its own methods run alone; in vertices and hulls over each
+ * library. */
 #ifndef FMB_PEERS_BARS_H
 #define FMB_PEERS_BARS_H
 
 #include "report.h"
 
-/* Are both of one side: fmb's own ways, or peers that one bar is against? */
+/* Are both on one side: fmb's own methods, or peers that share a bar? */
 bool bars_same_side(peer_question question, const peer *a, const peer *b);
-/* Of projections, vertices or hulls. Names whatever is below its bar. */
+/* For projections, vertices or hulls. Names each side whose lead is below its bar. */
 void bars_print(const report *r);
 
 #endif

@@ -9,12 +9,12 @@ typedef struct child_limits {
     size_t bytes;   /* address space of the child; 0: no limit [bytes] */
     peer_question question;
     double later; /* CPU time of the runs after the first [s] */
-    int variants; /* of the problem that are there, 1 ... CHILD_VARIANTS */
+    int variants; /* given variants of the problem, 1 ... CHILD_VARIANTS */
     const fmb_options *options;
 } child_limits;
 
 typedef enum child_end {
-    CHILD_DONE = 0, /* first and typical hold */
+    CHILD_DONE = 0, /* first and typical are valid */
     CHILD_TIME,     /* limit of time */
     CHILD_GAVE_UP,  /* the library returned an error */
     CHILD_CANNOT,   /* the driver cannot express the question */
@@ -30,12 +30,12 @@ typedef struct child_outcome {
     int runs;            /* later runs */
     char *text;          /* canonical result; NULL if it could not be made; owned */
     bool unlike;         /* the driver's results on two variants of the problem differ */
-    fmb_verdict verdict; /* unless asked to project */
-    size_t peak;         /* what the first run added to the memory of the child [bytes] */
+    fmb_verdict verdict; /* except for projections */
+    size_t peak;         /* memory that the first run added to the child [bytes] */
     double *number;      /* [numbers] of the answer; owned */
     size_t numbers;
-    bool has_proof, proved; /* the driver has evidence of the first answer; it is accepted */
-    double proving;         /* ... and that took [s] */
+    bool has_proof, proved; /* the first answer has evidence; fmb_check accepts it */
+    double proving;         /* time of that check [s] */
 } child_outcome;
 
 enum { CHILD_VARIANTS = 16 };

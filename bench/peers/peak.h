@@ -1,13 +1,13 @@
-/* peak.h: how much memory a stretch of a process adds at most, as the kernel sees it. */
+/* peak.h: the peak memory that a section of a process adds, as the kernel counts it. */
 #ifndef FMB_PEERS_PEAK_H
 #define FMB_PEERS_PEAK_H
 
 #include <stddef.h>
 
-/* What this process holds now [bytes]; its peak begins anew. Memory that was freed goes back
- * first. */
+/* The resident memory of this process [bytes], after freed memory was returned to the system;
+ * resets the kernel's peak. */
 size_t peak_begin(void);
-/* The peak since then, less what was there [bytes]; 0 where the kernel does not tell. */
+/* The peak since peak_begin, minus its value `before` [bytes]; 0 where the kernel has no figure. */
 size_t peak_end(size_t before);
 
 #endif

@@ -1,4 +1,4 @@
-/* peers.h: the drivers there can be; peers.c lists those that were built. */
+/* peers.h: all possible drivers; peers.c lists the drivers of this build. */
 #ifndef FMB_PEERS_PEERS_H
 #define FMB_PEERS_PEERS_H
 

@@ -6,15 +6,15 @@
 
 enum { REPORT_DRIVERS = 16 };
 
-/* What one problem gave. */
+/* The results of one problem. */
 typedef struct entry {
-    problem problem; /* its rows are gone */
+    problem problem; /* its rows are freed */
     child_outcome outcome[REPORT_DRIVERS];
     int best;                    /* driver of the fastest peer that finished, -1 if none did */
-    double ratio;                /* its time by fmb's; 0 if there is none or fmb has no time */
-    bool unlike[REPORT_DRIVERS]; /* answers that are not the first exact driver's */
-    bool wrong;                  /* some of them by exact drivers */
-    bool silent;                 /* some driver that is able to answer did not */
+    double ratio;                /* its time over fmb's, or fmb's limit; 0: no peer */
+    bool unlike[REPORT_DRIVERS]; /* answers that differ from the first exact driver's */
+    bool wrong;                  /* an exact driver's answer is unlike */
+    bool silent;                 /* a driver that can express the question has no answer */
 } entry;
 
 typedef struct report {

@@ -3,9 +3,9 @@
  *   study_projection p;
  *   if (study_benchmark_draw(family, size, instance, &p) == FMB_OK) ... fmb_system_free(p.s);
  *
- * A problem is named by its family, its size, 1 to 5, and its instance, 1, 2, ...: the same system
- * for ever, on every machine. The version has to change with any of them. No GSL: tests ask here,
- * too.
+ * A problem is named by its family, its size, 1 to 5, and its instance, 1, 2, ..., and is the same
+ * system for ever, on every machine. If any problem changes, so must the version. Needs no GSL:
+ * tests draw problems here, too.
  */
 #ifndef FMB_STUDY_BENCHMARK_H
 #define FMB_STUDY_BENCHMARK_H
@@ -20,7 +20,7 @@ enum {
     STUDY_BENCHMARK_NAME = 40      /* bytes of a name */
 };
 
-/* The families: their names, the field that they are from, and what they are, a line each. */
+/* The families: their number, and of each its name, its field and a description of one line. */
 int study_benchmark_families(void);
 const char *study_benchmark_name(int family);
 const char *study_benchmark_field(int family);
@@ -31,8 +31,8 @@ int study_benchmark_find(const char *name);
 /* "relu-3-1": family, size, instance, in out[STUDY_BENCHMARK_NAME]. */
 void study_benchmark_problem_name(int family, int size, int instance, char *out);
 
-/* [give] The first `keep` variables are to be kept, and are marked so; 0: the question is whether
- * there is a solution. Errors: MEMORY. */
+/* [give] The first `keep` variables are marked as kept; 0: the question is feasibility. Errors:
+ * MEMORY. */
 fmb_status study_benchmark_draw(int family, int size, int instance, study_projection *out);
 
 #endif

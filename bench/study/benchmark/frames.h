@@ -1,5 +1,5 @@
-/* frames.h: collision problems of the benchmark: two bodies in so many dimensions as the size and
- * one more. Source of the setting: Baillehache 2020. */
+/* frames.h: collision problems of the benchmark: two bodies in size + 1 dimensions. Source of the
+ * setting: Baillehache 2020. */
 #ifndef FMB_STUDY_BENCHMARK_FRAMES_H
 #define FMB_STUDY_BENCHMARK_FRAMES_H
 

@@ -1,7 +1,7 @@
-/* draft.h: a pair of frames while it is being drawn; for the families.
+/* draft.h: a pair of frames under construction; for the families.
  *
  * Random numbers come through GSL's interface from splitmix64 (Steele, Lea and Flood 2014): a state
- * of one word, so that a stream for each pair costs nothing to begin.
+ * of one word, so that starting a stream for each pair costs nothing.
  */
 #ifndef FMB_STUDY_DRAFT_H
 #define FMB_STUDY_DRAFT_H
@@ -21,7 +21,7 @@ typedef struct study_draft {
     int naxes[2];
     double *origin[2], *axes[2], *speed[2]; /* [dim], [naxes][dim], [dim] */
     double factor[2][STUDY_PAIR_MOST_DIM];  /* of the length of each axis of a touching frame */
-    double haste;                           /* and of its speed */
+    double haste;                           /* the same for its speed */
 } study_draft;
 
 static inline bool study_coin(study_draft *d)
@@ -29,13 +29,13 @@ static inline bool study_coin(study_draft *d)
     return gsl_rng_uniform(d->g) < 0.5;
 }
 
-/* A whole number 0 ... n - 1. */
+/* An integer 0 ... n - 1. */
 static inline int study_choice(study_draft *d, int n)
 {
     return (int)gsl_rng_uniform_int(d->g, (unsigned long)n);
 }
 
-/* n numbers, evenly in -most ... most; whole ones. */
+/* n numbers, uniform in -most ... most: reals, or integers. */
 void study_draw_even(study_draft *d, double most, double *out, int n);
 void study_draw_whole(study_draft *d, int most, double *out, int n);
 
@@ -47,12 +47,12 @@ static inline double study_dot(const double *x, const double *y, int n)
     return sum;
 }
 
-/* c: coordinates of a point of frame f; of one of its boundary. */
+/* c: coordinates of a random point of frame f; of a random point of its boundary. */
 void study_draw_inside(study_draft *d, int f, double *c);
 void study_draw_boundary(study_draft *d, int f, double *c);
 
-/* Move B so that at time t its point with coordinates cq is A's with coordinates cp, and `off`
- * beside it. */
+/* Move B so that at time t its point with coordinates cq is A's point with coordinates cp plus
+ * `off`. */
 void study_place(study_draft *d, const double *cp, const double *cq, double t, const double *off);
 
 /* Draw two frames that touch: exactly, in whole numbers of at most about 2^30 and sixteenths of
@@ -61,7 +61,7 @@ void study_place(study_draft *d, const double *cp, const double *cq, double t, c
  * long as the numbers have room. */
 void study_draw_touching(study_draft *d, bool whole, double *normal);
 
-/* One pair of each family, but for its shapes: all numbers. */
+/* Draws all numbers of a pair of a family; its shapes are chosen already. */
 typedef void study_family_draw(study_draft *d);
 extern study_family_draw *const study_family_draws[STUDY_PAIR_FAMILIES];
 

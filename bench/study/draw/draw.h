@@ -1,7 +1,7 @@
 /* draw.h: random pairs of frames, as systems.
  *
- * A class is what the pairs of one line of a table have in common. Random numbers are GSL's
- * mt19937, seeded from the seed of the study and the class alone, so that a class is the same
+ * A class holds the properties that all pairs of one line of a table share. Random numbers are
+ * GSL's mt19937, seeded from the seed of the study and the class alone, so that a class is the same
  * whatever else is studied. Source of the setting: Baillehache 2020.
  */
 #ifndef FMB_STUDY_DRAW_H
@@ -21,7 +21,7 @@ typedef struct study_class {
     int dim;
     bool moves;
     fmb_shape shape[2];
-    bool meets; /* chosen by the exact answer */
+    bool meets; /* by the exact answer */
 } study_class;
 
 /* "small", "float"; false if the word is unknown. */
@@ -32,7 +32,7 @@ bool study_family_parse(const char *word, study_family *out);
 gsl_rng *study_draw_begin(const study_class *c, unsigned long seed);
 
 /* [give] The system of one pair, A's rows in B's coordinates first (FMB_COORDINATES_LAST). The axes
- * of both are independent; meets is not looked at. Errors: MEMORY. */
+ * of both are independent; c->meets is ignored. Errors: MEMORY. */
 fmb_status study_draw_pair(gsl_rng *g, const study_class *c, fmb_system **out);
 
 #endif

@@ -1,5 +1,5 @@
 /* pairs.h: random pairs of frames as numbers. Pair k depends on the plan, the seed and k alone, so
- * any share of a study can be made anywhere.
+ * each share of a study can run on its own machine.
  *
  * Source of the setting: Baillehache 2020 (family article).
  */
@@ -35,11 +35,11 @@ typedef struct study_pair_plan {
     study_pair_family family;
     int dim; /* 1 ... STUDY_PAIR_MOST_DIM */
     bool moves;
-    int shape[2]; /* fmb_shape of A, of B, or STUDY_PAIR_ANY_SHAPE: either, evenly */
+    int shape[2]; /* fmb_shape of A, of B, or STUDY_PAIR_ANY_SHAPE: each as likely */
     int naxes[2]; /* of A, of B; 0 means dim */
 } study_pair_plan;
 
-/* One pair; the frames point into number. Not to be copied. */
+/* One pair; the frames point into number. Must not be copied. */
 typedef struct study_pair {
     fmb_frame p, q;
     double number[2][STUDY_PAIR_MOST_DIM * (STUDY_PAIR_MOST_DIM + 2)];
@@ -51,12 +51,12 @@ bool study_pair_family_parse(const char *word, study_pair_family *out);
 
 void study_pair_draw(const study_pair_plan *plan, uint64_t seed, uint64_t k, study_pair *out);
 
-/* Many pairs of one plan, side by side in memory; those that meet, or those that do not. */
+/* Many pairs of one plan, side by side in memory; all, or those that a filter keeps. */
 typedef struct study_pairs {
     size_t n;
     fmb_frame *p, *q; /* [n] */
     double *number;
-    uint64_t drawn; /* pairs looked at to find n of them */
+    uint64_t drawn; /* pairs tested to find n of them */
 } study_pairs;
 
 /* [give, study_pairs_free] The first n pairs for which keep(self, p, q) is true (NULL: all of
@@ -67,7 +67,7 @@ fmb_status study_pairs_make(const study_pair_plan *plan, uint64_t seed, size_t n
 /* [give, study_pairs_free] Room for n pairs of a plan, to be filled again and again. Errors:
  * MEMORY. */
 fmb_status study_pairs_room(const study_pair_plan *plan, size_t n, study_pairs *out);
-/* Fill that room with pairs first ... first + n - 1, n as many as there is room for at most. */
+/* Overwrite *out with pairs first ... first + n - 1; n is at most that of study_pairs_room. */
 void study_pairs_fill(const study_pair_plan *plan, uint64_t seed, uint64_t first, size_t n,
                       study_pairs *out);
 void study_pairs_free(study_pairs *s);

@@ -8,9 +8,9 @@
 #include "num/weights.h"
 #include "trace/run.h"
 
-/* fmb_solve's question, part by part: with its evidence, limits, counters and watcher, and its
- * errors. Of the solver's options those that choose an engine or rules are not looked at; an order
- * other than FMB_ORDER_GIVEN is FMplex's own. */
+/* Like fmb_solve, connected part by connected part: with its evidence, limits, counters, watcher
+ * and errors. Ignores the solver's options that choose an engine or rules; any order but
+ * FMB_ORDER_GIVEN means FMplex's own. */
 fmb_status study_fmplex_solve(fmb_solver *v, const fmb_system *s, fmb_result *res);
 
 /* Decide row[i] (n coefficients, right side) REL rel[i], i < m, for real x[n]. If it is feasible, x

@@ -1,4 +1,4 @@
-/* digest.h: what the runs of one way over some systems say together, and beside another way. */
+/* digest.h: summary of the runs of one way over some systems, and its ratios to a base way. */
 #ifndef FMB_STUDY_DIGEST_H
 #define FMB_STUDY_DIGEST_H
 
@@ -6,16 +6,16 @@
 #include "study/grid/grid.h"
 
 typedef struct study_digest {
-    size_t systems, decided, stopped, refused, wrong; /* by counts or verdict */
+    size_t systems, decided, stopped, refused, wrong; /* by counts or by verdict */
     /* Means over the systems decided, 0 if none was. */
     double pairs, made, kept, lived, peak, held;
     double dropped[STUDY_MOST_NAMES];
-    /* Against way base, over the systems that both decided: ratios of totals; NaN if there are
-     * none. only: systems that this way decided and base did not. */
+    /* Over way base, on the systems that both decided: ratios of totals; NaN if there are none.
+     * only: systems that this way decided and base did not. */
     size_t both, only;
     double kept_ratio, lived_ratio;
-    /* Time against way base, over the systems that at least one of them solved. One that gave up
-     * enters with its time until then: the ratio is too large where base did, too small where this
+    /* Time over that of way base, on the systems that at least one of them solved. A run that gave
+     * up counts with its time until then: the ratio is too large if base gave up, too small if this
      * way did. */
     size_t timed, base_gave_up, gave_up; /* systems */
     study_ratio total, median;           /* of totals; median of the systems' ratios */

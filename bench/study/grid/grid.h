@@ -1,10 +1,9 @@
-/* grid.h: ways x systems: the whole of a study of rules.
+/* grid.h: all ways on all systems: the runs of a study of rules.
  *
  * A sample is the systems of one line of a table: drawn pairs of one class, or one system that was
- * read. Counts depend on the plan alone. Time is taken over all systems of a sample in turn, never
- * one repeated, a few passes in which the ways take turns, after one that does not count; who
- * begins, and who follows whom, changes with the pass and with the sample, so that nobody always
- * comes upon the same caches. Each system keeps its median.
+ * read. Counts depend on the plan alone. A timed pass goes over all systems of a sample, each once;
+ * the ways take turns, after one pass that does not count. The order of the ways changes with the
+ * pass and the sample, so that no way always finds the same caches. Each system keeps its median.
  */
 #ifndef FMB_STUDY_GRID_H
 #define FMB_STUDY_GRID_H
@@ -16,8 +15,8 @@
 typedef struct study_case {
     fmb_system *s;
     int *keep, kept;   /* variables to project on */
-    fmb_verdict truth; /* FMB_UNKNOWN: the reference will say */
-    char *projection;  /* what the projection is (reference.h); NULL: the reference will say */
+    fmb_verdict truth; /* FMB_UNKNOWN: from the reference */
+    char *projection;  /* the true projection (reference.h); NULL: from the reference */
 } study_case;
 
 typedef struct study_sample {
@@ -34,21 +33,21 @@ typedef struct study_grid {
     study_limits limits;
     study_way *way; /* [ways], borrowed */
     size_t ways;
-    int passes;           /* of the clock; 0: no time is taken */
+    int passes;           /* of the clock; 0: no times */
     bool projects;        /* time is that of the projections, not of the verdicts */
-    size_t turn;          /* of the way that begins */
+    size_t turn;          /* which way begins */
     size_t shard, shards; /* only part `shard` of 1 ... shards is run; 0 of 0: all */
     /* Called before each query; false ends the study early. May be NULL. */
     bool (*step)(void *self, size_t done, size_t all);
     void *self;
-    fmb_solver *volatile *running; /* where to note the solver at work, so that it can be cancelled
-                                      from outside; or NULL */
+    fmb_solver *volatile *running; /* is set to the working solver, so that it can be cancelled from
+                                    * outside; or NULL */
 
     study_sample *sample; /* [samples] */
     size_t samples, sample_capacity;
     /* The results. */
     study_names names;
-    bool *known;     /* [ways] every rule of it exists */
+    bool *known;     /* [ways] all its rules exist */
     study_run *run;  /* [samples][most][ways] */
     size_t most;     /* systems in the largest sample */
     size_t prepared; /* samples that are drawn and answered */
@@ -64,15 +63,14 @@ fmb_status study_sample_put(study_sample *sample, fmb_system *s, int *keep, int 
 fmb_status study_grid_run(study_grid *g);
 void study_grid_clear(study_grid *g);
 
-/* Eliminate as study_engine_count, and hold the answer against the truth of the case. */
+/* Eliminate as study_engine_count does, and compare the answer with the truth of the case. */
 fmb_status study_case_count(study_reference *reference, study_engine *engine, const study_case *c,
                             study_run *run);
 
-/* Which way is the place-th of a pass over a sample: rows of a square in which each way stands once
- * at each place, and follows each other one once, as what ran before leaves something behind in the
- * caches (Williams 1949: 0, 1, n - 1, 2, n - 2, ..., and the same from each way on; for an odd n
- * every other square is mirrored, and two are needed). Passes, samples and turns go from row to
- * row. */
+/* The way at a place of a pass over a sample: rows of a Latin square that is balanced for
+ * carry-over effects of the caches: each way stands once at each place and follows each other way
+ * once (Williams 1949: 0, 1, n - 1, 2, n - 2, ..., and its cyclic shifts; an odd n needs two
+ * squares, the second one mirrored). Passes, samples and turns go from row to row. */
 size_t study_grid_turn(const study_grid *g, size_t sample, size_t pass, size_t place);
 
 static inline study_run *study_grid_at(const study_grid *g, size_t sample, size_t item, size_t way)
