@@ -1,6 +1,6 @@
-/* random.h: whole numbers from a seed, the same on every machine: splitmix64 (Steele, Lea, Flood
- * 2014, doi 10.1145/2714064.2660195). Any state is a good seed. Two draws never stand among the
- * arguments of one call: compilers differ in which of them comes first. */
+/* random.h: random integers from a seed, the same on every machine: splitmix64 (Steele, Lea, Flood
+ * 2014, doi 10.1145/2714064.2660195). Any state is a good seed. Never draw twice among the
+ * arguments of one call: compilers differ in the order of evaluation. */
 #ifndef FMB_STUDY_RANDOM_H
 #define FMB_STUDY_RANDOM_H
 
@@ -25,14 +25,14 @@ static inline int64_t study_random_between(study_random *g, int64_t lo, int64_t 
     return lo + (int64_t)(study_random_next(g) % (uint64_t)(hi - lo + 1));
 }
 
-/* The same without 0: lo < 0 < hi. */
+/* Like study_random_between, but never 0: lo < 0 < hi. */
 static inline int64_t study_random_nonzero(study_random *g, int64_t lo, int64_t hi)
 {
     int64_t x = study_random_between(g, lo, hi - 1);
     return x + (x >= 0);
 }
 
-/* True in so many cases of 100. */
+/* True with a probability of `percent` in 100. */
 static inline bool study_random_chance(study_random *g, int percent)
 {
     return study_random_between(g, 0, 99) < percent;

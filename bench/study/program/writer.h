@@ -1,7 +1,7 @@
-/* writer.h: a program while it is being written; for the families.
+/* writer.h: a program under construction; for the families.
  *
- * A row is written term by term and ended. After a failure nothing more is written, and the writer
- * remembers why.
+ * A row is written term by term, then ended. After a failure nothing more is written, and st keeps
+ * the first error.
  */
 #ifndef FMB_STUDY_PROGRAM_WRITER_H
 #define FMB_STUDY_PROGRAM_WRITER_H
@@ -12,25 +12,25 @@
 typedef struct study_writer {
     study_random g;
     int rows, variables; /* as planned */
-    int keep;            /* projections: the first so many stay */
-    int larger;          /* projections: by so much than usual */
+    int keep;            /* projections: the first `keep` variables are kept */
+    int larger;          /* projections: growth of the sizes, 0 by default */
     study_program *to;
     fmb_status st;
     double *goal; /* [dim] the objective: whole numbers below 2^53 */
-    /* The row under way. */
+    /* The row being written. */
     int *var;
     mpq_t *coef;
     size_t terms, capacity;
     mpq_t right;
 } study_writer;
 
-/* Begin a system of so many variables; false without memory. Once, first. */
+/* Begin a system with that many variables; false if memory runs out. Call once, first. */
 bool study_write_begin(study_writer *w, int variables);
-/* The same where the first keep of them stay. */
+/* Likewise, for a projection that keeps the first `keep` of them. */
 bool study_write_image(study_writer *w, int variables, int keep);
 /* A number lo ... hi. */
 int study_draw(study_writer *w, int lo, int hi);
-/* A size lo ... hi, and larger where the problem is to be. */
+/* A size lo ... hi, plus the growth of a larger problem. */
 int study_draw_size(study_writer *w, int lo, int hi);
 
 void study_write_term(study_writer *w, int var, int64_t coef);
@@ -45,9 +45,9 @@ void study_write_box(study_writer *w, int first, int count, int64_t lo, int64_t 
 /* coef times each of count variables from the first. */
 void study_write_sum(study_writer *w, int first, int count, int64_t coef);
 
-/* What is known of the program. */
+/* The known optimum of the program. */
 void study_write_best(study_writer *w, int64_t num, uint64_t den);
-/* The goal is a random one, -9 ... 9. */
+/* The goal becomes random, coefficients -9 ... 9. */
 void study_write_any_goal(study_writer *w);
 
 typedef void study_family(study_writer *w);

@@ -1,21 +1,21 @@
-/* aabb.h: boxes with sides along the axes of the world: of a frame for as long as it moves, what is
- * common to two of them, volumes, and whether one holds another. Plain doubles, as a broad phase
- * has them. A box is [dim][2]: lower end, upper end. */
+/* aabb.h: axis-aligned bounding boxes: of a frame over its whole motion; intersections, volumes and
+ * containment. Plain doubles, as in a broad phase. A box is [dim][2]: lower end, upper end. */
 #ifndef FMB_STUDY_AABB_H
 #define FMB_STUDY_AABB_H
 
 #include <fmb/frame.h>
 
-/* The tightest that holds f at all times. */
+/* The smallest box that contains f at all times. */
 void study_aabb_of(const fmb_frame *f, double *box);
 
-/* What a and b have in common; an end below its other end if nothing. out may be one of them. */
+/* The intersection of a and b; some upper end is below its lower end if it is empty. out may be a
+ * or b. */
 void study_aabb_meet(int dim, const double *a, const double *b, double *out);
 
 /* 0 if it is empty. */
 double study_aabb_volume(int dim, const double *box);
 
-/* Does outer, each side moved out by slack, hold inner? */
+/* Does outer, each side moved out by slack, contain inner? */
 bool study_aabb_holds(int dim, const double *outer, const double *inner, double slack);
 
 /* The largest absolute value of a coordinate that a frame reaches or is made of. */

@@ -1,21 +1,21 @@
-/* article.h: FMB as published, to be measured and compared, never to answer. It has the faults of
- * its original: one absolute epsilon, frames without an inverse refused, another answer for (q, p)
- * than for (p, q) where they touch, boxes far too large, and a corner forgotten where they move
+/* article.h: FMB as published, for measurements and comparisons only. It has the faults of its
+ * original: one absolute epsilon, frames without an inverse refused, another answer for (q, p) than
+ * for (p, q) where they touch, boxes far too large, and a corner forgotten where they move
  * (docs/theory.md, "What the article's boxes are").
  *
- * Source: Baillehache 2020, and its program: variables go in their order, c first and t last; each
- * new row is tested against the unit box. No row is ever dropped. In two and three dimensions it
- * costs what the program costs, within 15 % in each cell of Table 1: bench/article/beside shows it
- * for this and for its SAT, study_sat_program. These two are what studies call the article's.
+ * Source: Baillehache 2020, and its program: variables are eliminated in order, c first and t last;
+ * each new row is tested against the unit box. No row is ever dropped. In two and three dimensions
+ * it costs what the program costs, within 15 % in each cell of Table 1: bench/article/beside shows
+ * it for this and for its SAT, study_sat_program. Studies call these two the article's.
  */
 #ifndef FMB_STUDY_ARTICLE_H
 #define FMB_STUDY_ARTICLE_H
 
 #include "study/rivals/rows.h"
 
-/* What becomes of the intervals on the way back. */
+/* How back substitution computes the intervals. */
 typedef enum study_article_box_kind {
-    STUDY_ARTICLE_PUBLISHED = 0, /* each row may only widen 0 ... 1: so all but the last variable */
+    STUDY_ARTICLE_PUBLISHED = 0, /* all but the last variable: rows may only widen 0 ... 1 */
     STUDY_ARTICLE_MENDED         /* each row bounds its variable, and no corner is forgotten */
 } study_article_box_kind;
 
@@ -31,9 +31,9 @@ typedef struct study_article study_article;
 fmb_status study_article_new(study_article **out);
 void study_article_free(study_article *w);
 
-/* The verdict on two frames with all axes, by p's inverse, which is found anew as the article's
- * program does; UNKNOWN if p has none that is large enough for it, or more rows arise than any
- * study wants. box, unless NULL, is written if they meet. Errors: MEMORY. */
+/* The verdict on two frames with all axes, by p's inverse, which each call computes anew, as the
+ * article's program does; UNKNOWN if |det p| is too small for that program, or too many rows arise.
+ * box, unless NULL, is written if they meet. Errors: MEMORY. */
 fmb_status study_article_test(study_article *w, const fmb_frame *p, const fmb_frame *q,
                               study_article_box_kind kind, study_article_box *box,
                               fmb_verdict *out);

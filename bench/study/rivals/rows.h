@@ -1,6 +1,6 @@
 /* rows.h: the system of a pair in doubles, as the article sets it up: the second frame in
- * coordinates of the first, through an inverse. It is rounded, so no answer of the library rests on
- * it; algorithms that studies measure start here.
+ * coordinates of the first, through an inverse. It is rounded, so the library never uses it;
+ * algorithms that studies measure start from it.
  *
  * Source: Baillehache 2020, "Formulation of the problem".
  */
@@ -22,8 +22,8 @@ typedef struct study_rows {
     double a[STUDY_ROWS_MOST][STUDY_ROWS_MOST_COLUMNS]; /* a[i] x <= a[i][n] */
 } study_rows;
 
-/* The second frame as the first one sees it: coordinate i of a point of it is base[i] + the sum
- * over the variables of to[i][.] times these. */
+/* The second frame in coordinates of the first: coordinate i of a point is base[i] plus the sum
+ * over the variables x of to[i][k] x_k. */
 typedef struct study_rows_image {
     double base[STUDY_ROWS_MOST_DIM], to[STUDY_ROWS_MOST_DIM][STUDY_ROWS_MOST_DIM + 1];
 } study_rows_image;

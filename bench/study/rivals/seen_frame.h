@@ -1,6 +1,5 @@
-/* seen_frame.h: the second frame as the first one sees it, by the first one's inverse; inlined, so
- * that where the number of dimensions is a constant, loops and memory are none.
- */
+/* seen_frame.h: the second frame in coordinates of the first, by the inverse of its axes; inlined,
+ * so that for a constant number of dimensions the compiler removes loops and arrays. */
 #ifndef FMB_STUDY_SEEN_FRAME_H
 #define FMB_STUDY_SEEN_FRAME_H
 
@@ -10,7 +9,7 @@
 
 #define STUDY_INLINE static inline __attribute__((always_inline))
 
-/* Two and three axes: cofactors over the determinant, which is returned. */
+/* Two or three axes: cofactors over the determinant. Returns the determinant. */
 STUDY_INLINE double study_rows_invert_by_cofactors(int dim, const double *a, double *to)
 {
     double det;
@@ -34,11 +33,11 @@ STUDY_INLINE double study_rows_invert_by_cofactors(int dim, const double *a, dou
 }
 
 /* Any number of axes, by elimination. Rows of `a` are axes, so column i of its inverse is 1 on axis
- * i and 0 on the others. The determinant. */
+ * i and 0 on the others. Returns the determinant. */
 double study_rows_invert_by_elimination(int dim, const double *a, double *to);
 
-/* Numbers i * dim ... become the functional that is 1 on axis i and 0 on the others. False if there
- * are none. */
+/* to[i * dim ...] becomes the functional that is 1 on axis i and 0 on the others. False if there is
+ * none. */
 STUDY_INLINE bool study_rows_invert(int dim, const fmb_frame *p, double least, double *to)
 {
     double det = dim == 2 || dim == 3 ? study_rows_invert_by_cofactors(dim, p->axes, to)

@@ -1,8 +1,8 @@
-/* axes.h: what the kernels of kernels.h share in the plane and in space.
+/* axes.h: shared by the kernels of plane.h and space.h: loads, spans, errors.
  *
- * Everything is doubled and in the world, relative to the corner of A. A frame whose values on an
- * axis go from low to high has the width high - low and the middle high + low; two frames overlap
- * there by
+ * All positions are doubled and in world coordinates, relative to the corner of A. A frame whose
+ * values on an axis go from low to high has the width high - low and the middle high + low; two
+ * frames overlap there by
  *
  *     width of A + width of B - |middle of A - middle of B|
  *
@@ -18,7 +18,7 @@
 
 #include "pair/kernels/lane/local_frame.h"
 
-/* Which kernel; every one is compiled with a constant. If A is a simplex, so is B. */
+/* The kind of kernel: a constant in each compiled kernel. If A is a simplex, so is B. */
 typedef struct sat_kind {
     int dim;
     bool moves, a_simplex, b_simplex;
@@ -30,13 +30,13 @@ typedef struct sat_rays {
     lane corner[3]; /* (sum of a) - (2 shift + drift): twice the middle of a cuboid A, less twice
                        B's corner at time 1/2 */
     lane centre[3]; /* corner - (sum of b): the same for B's middle */
-    lane origin[3]; /* that less (sum of a): for A's corner */
+    lane origin[3]; /* centre - (sum of a): the same for A's corner */
     lane alpha, beta, omega; /* the largest numbers of a, b and drift */
     lane reach; /* 3 alpha + 3 beta + 2 delta + omega bounds corner, centre and origin */
     lane_mask known;
 } sat_rays;
 
-/* Of some values and 0. */
+/* The range of some values and 0. */
 typedef struct sat_span {
     lane width, middle;
 } sat_span;
@@ -48,8 +48,8 @@ FMB_INLINE lane sat_largest(int dim, const lane *x, lane most)
     return most;
 }
 
-/* What bounds the errors; lanes are known where local_frame.h says so, but for the sign of det A,
- * which does not matter here. A NaN anywhere makes one of centre. */
+/* The bounds of the errors; lanes are known under the conditions of local_frame.h, except the sign
+ * of det A, which does not matter here. A NaN in any input makes centre NaN. */
 FMB_INLINE void sat_measure(sat_kind k, const lane *shift, sat_rays *r)
 {
     int d = k.dim;
@@ -124,12 +124,12 @@ FMB_INLINE sat_span sat_span_of_frame(bool simplex, int n, const lane *x)
     return simplex ? sat_span_of(n, x) : sat_span_of_cuboid(n, x);
 }
 
-/* What is certain so far, and of which lanes anything can be. */
+/* The certain verdicts so far; known: lanes whose error bounds are valid. */
 typedef struct sat_state {
     lane_mask apart, meet, known;
 } sat_state;
 
-/* The least overlap of a class, certain to error. */
+/* Update with the least overlap of a class of axes, accurate to error. */
 FMB_INLINE void sat_learn(sat_state *s, lane least, lane error)
 {
     s->apart = lane_or(s->apart, lane_less(least, -error));

@@ -7,11 +7,11 @@
  *
  * Errors: docs/error-bounds.md, "Axes".
  *
- * What if A is flat, or B? An axis that vanishes has the overlap 0, so they do not meet certainly.
- * If none vanishes, each frame spans a plane at least, and each direction in which a face of A - B
- * may look is among the axes; and if all of A - B lies in one plane, then on the normals of A,
- * which are normal to it, both frames have no width. So where all overlaps are positive 0 is inside
- * A - B, and the relative interiors of A and B meet.
+ * What if A or B is flat? An axis that vanishes has the overlap 0, so meeting is not certain. If
+ * none vanishes, each frame spans a plane at least, and each direction in which a face of A - B may
+ * look is among the axes; and if all of A - B lies in one plane, then on the normals of A, which
+ * are normal to it, both frames have no width. So if all overlaps are positive, 0 is inside A - B,
+ * and the relative interiors of A and B meet.
  */
 #ifndef FMB_STUDY_SAT_KERNELS_H
 #define FMB_STUDY_SAT_KERNELS_H
@@ -26,7 +26,7 @@ FMB_INLINE fmb_pair_bits sat_bits(const sat_state *s)
                            lane_bits(lane_and(s->meet, s->known))};
 }
 
-/* Nothing is left to ask. */
+/* All lanes are decided: every pair is apart. */
 FMB_INLINE bool sat_is_over(const sat_state *s)
 {
     return lane_bits(lane_and(s->apart, s->known)) == (1u << FMB_LANES) - 1;

@@ -1,16 +1,15 @@
-/* sat.h: pairs of frames asked by separating axes, the rival of elimination: its kernels answer the
- * same blocks, packed in the same way, and leave what they are not certain of to the same ladder.
- */
+/* sat.h: verdicts on pairs of frames by separating axes, the rival of elimination: its kernels take
+ * the same packed blocks and leave uncertain pairs to the same exact stages. */
 #ifndef FMB_STUDY_SAT_H
 #define FMB_STUDY_SAT_H
 
 #include "pair/kernels/pair_kernels.h"
 
-/* [give] fmb_pair_new, but for verdicts by kernels: these are separating axes. Boxes, which SAT has
- * not got, are answered without kernels. Errors: those of fmb_pair_new. */
+/* [give] Like fmb_pair_new, but the kernels that decide verdicts use separating axes. Boxes, which
+ * SAT cannot give, are computed without kernels. Errors: those of fmb_pair_new. */
 fmb_status study_sat_new(int dim, const fmb_pair_options *o, fmb_pair **out);
 
-/* As many pairs at a time as those kernels of elimination answer. */
+/* The SAT kernels of the same width as those kernels of elimination. */
 const fmb_pair_kernels *study_sat_kernels(const fmb_pair_kernels *like);
 
 /* ---- for the other files of this folder ------------------------------------------------------ */

@@ -7,7 +7,7 @@
  *     p_k[i] = m_k a_i              tau[k] = m_k d
  *     w_k[i] = a_i (b_k x d)        t_k[i] = a_i (b_k x centre)
  *
- * For a simplex add what is opposite to its corner: the edges b_(m+2) - b_(m+1) and the normal
+ * A simplex has also the face opposite to its corner: the edges b_(m+2) - b_(m+1) and the normal
  * m_0 + m_1 + m_2. For A the fourth coordinate of an edge, e[3] = - e[0] - e[1] - e[2]: barycentric
  * coordinates are all alike.
  *
@@ -50,7 +50,7 @@ FMB_INLINE void sat_cross(const lane *x, const lane *y, lane *out)
     }
 }
 
-/* Of x, its product with each axis of A. */
+/* The products of x with each axis of A. */
 FMB_INLINE void sat_with_a(const sat_rays *r, const lane *x, lane *out)
 {
     for (int i = 0; i < 3; i++)
@@ -100,7 +100,7 @@ FMB_INLINE void sat_multiply_edge(sat_kind k, const sat_rays *r, int j, sat_prod
     x->on_drift[j] = local_frame_dot(3, y, k.a_simplex ? r->origin : r->centre);
 }
 
-/* What the normals of A are multiplied with. */
+/* The products of the normals of A. */
 FMB_INLINE void sat_multiply_a(sat_kind k, const sat_rays *r, sat_products *x)
 {
     sat_multiply_normal_of_a(k, r, 0, x);
@@ -112,7 +112,7 @@ FMB_INLINE void sat_multiply_a(sat_kind k, const sat_rays *r, sat_products *x)
         x->d[3] = -(x->d[0] + x->d[1] + x->d[2]);
 }
 
-/* What the normals of B are. */
+/* The products of the normals of B. */
 FMB_INLINE void sat_multiply_b(sat_kind k, const sat_rays *r, sat_products *x)
 {
     sat_multiply_normal_of_b(k, r, 0, x);
@@ -124,7 +124,7 @@ FMB_INLINE void sat_multiply_b(sat_kind k, const sat_rays *r, sat_products *x)
         x->tau[3] = x->tau[0] + x->tau[1] + x->tau[2];
 }
 
-/* What the edges of B, and the drift, are. */
+/* The products of the edges of B and of the drift. */
 FMB_INLINE void sat_multiply_edges(sat_kind k, const sat_rays *r, sat_products *x)
 {
     sat_multiply_edge(k, r, 0, x);

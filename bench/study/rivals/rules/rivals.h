@@ -1,7 +1,7 @@
-/* rivals.h: pruning rules of others, as published, one a file, and what their files share.
+/* rivals.h: published pruning rules of other authors, one in each file, and their shared helpers.
  *
- * They look through the window of <fmb/rule.h> and go into commands by --rule-library, as a rule
- * of anyone's would. docs/rivals.md tells what each drops, whether it is sound, and numbers.
+ * They use only the interface of <fmb/rule.h>, and commands load them by --rule-library like any
+ * user's rule. docs/rivals.md says what each drops and whether it is sound, with figures.
  */
 #ifndef FMB_STUDY_RIVALS_H
 #define FMB_STUDY_RIVALS_H
