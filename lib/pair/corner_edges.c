@@ -1,8 +1,8 @@
 /* corner_edges.c: see corner_edges.h. */
 #include "pair/corner_edges.h"
 
-/* d = b - a, rounded: is it exact? What rounding took is a double (Knuth, The Art of Computer
- * Programming 2, 4.2.2); it is none if d is infinite. */
+/* d = b - a, rounded: is it exact? The rounding error is a double (Knuth, The Art of Computer
+ * Programming 2, 4.2.2), unless d is infinite. */
 static bool is_exact_difference(double b, double a, double d)
 {
     double of_a = b - d, of_b = d + of_a;

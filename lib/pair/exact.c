@@ -37,7 +37,7 @@ void fmb_pair_oracle_close(fmb_pair_oracle *x)
     fmb_solver_free(x->proving);
 }
 
-/* [give] Start a query: its clock, its system, and what that leaves of its memory. */
+/* [give] Start a query: its clock, its system, and the remaining limit of memory. */
 static fmb_status start_query(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                               fmb_coordinates in, fmb_system **out)
 {
@@ -70,14 +70,14 @@ static void write_interval(const fmb_box *box, int i, double *out)
     out[1] = fmb_box_end(box, i, FMB_UPPER).value;
 }
 
-/* The coordinates in a hull are not unique, and more than there is room for. */
+/* Are coordinates in q to be written? In a hull they are not unique, and too many for the array. */
 static bool asks_inside(const fmb_frame *q, const fmb_pair_answers *out)
 {
     return out->inside && q->naxes <= q->dim;
 }
 
-/* The variables of the system are x, c of p, c of q, t; those that are asked for, in this order.
- * Their number. */
+/* List the requested variables of the system, whose order is x, c of p, c of q, t. Returns their
+ * number. */
 static int list_variables_asked(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
                                 int *vars)
 {

@@ -17,7 +17,7 @@ static int count_threads_of_pairs(const fmb_pair_options *o)
     return o->threads < 1 ? 1 : o->threads > MOST_THREADS ? MOST_THREADS : (int)o->threads;
 }
 
-/* The others that work for k: each has all of k's options but threads. */
+/* Make the workers of the other threads: each has k's options except threads. */
 static fmb_status hire_workers(fmb_pair *k, const fmb_alloc *hook)
 {
     fmb_pair_options o = k->options;
@@ -38,7 +38,7 @@ static void dismiss_workers(fmb_pair *k)
     fmb_mem_put(&k->mem, k->workers, (size_t)k->threads - 1, sizeof *k->workers);
 }
 
-/* The options that are given, or those by default. Errors: ARG, and why. */
+/* Copy the given options, or the default ones. Errors: ARG, with the reason. */
 static fmb_status read_pair_options(const fmb_pair_options *o, fmb_pair_options *ours, char *why,
                                     size_t size)
 {
@@ -64,7 +64,7 @@ size_t fmb_pair_options_trouble(const fmb_pair_options *o, char *text, size_t si
     return fmb_text_give(why, text, size);
 }
 
-/* Lanes are of eight numbers. */
+/* Align to lanes of eight numbers. */
 static double *align_to_lanes(double *p)
 {
     return p + (FMB_BLOCK_MOST_LANES - (uintptr_t)p / sizeof *p % FMB_BLOCK_MOST_LANES) %

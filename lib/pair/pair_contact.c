@@ -9,7 +9,7 @@
 #include "pair/corner_edges.h"
 #include "pair/pair_portfolio.h"
 
-/* Pairs that are answered together, and a block of some of them. */
+/* The most pairs that are answered together. */
 enum { CONTACTS_AT_ONCE = 64 };
 
 typedef struct contact_query {
@@ -146,7 +146,7 @@ void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, con
         *out->npoints = (uint8_t)n;
 }
 
-/* What doubles do not tell of a pair whose verdict is known. */
+/* Answer exactly, for a pair with a known verdict, what doubles could not. */
 static fmb_status tell_exactly(fmb_pair *k, const fmb_frame *p, const fmb_frame *q,
                                fmb_verdict *verdict, fmb_pair_near *out)
 {
@@ -188,7 +188,7 @@ fmb_status fmb_contact_answer_apart(fmb_pair *k, const fmb_frame *p, const fmb_f
     return FMB_OK;
 }
 
-/* Pair i meets: its depth. */
+/* Answer the depth of pair i, which meets. */
 static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answers *out)
 {
     const fmb_frame *p = &x->p[i], *q = &x->q[i];

@@ -5,14 +5,14 @@
 #include "pair/kernels/packed_kernels.h"
 #include "pair/single_pair.h"
 
-/* Let pair i wait in a block of that stage. */
+/* Put pair i into a block of that stage. */
 static fmb_status wait_in_block(const fmb_pair_call *a, int stage, size_t i);
-/* Let it wait in the block for any number of axes, if its edges are doubles. */
+/* Put pair i into the block for any number of axes, if its edges are doubles. */
 static fmb_status wait_in_flat_block(const fmb_pair_call *a, size_t i);
 
 /* ---- boxes by kernels ------------------------------------------------------------------------ */
 
-/* Rows of lower, then of upper ends, in turn. */
+/* Write rows of lower ends, then of upper ends, as pairs (lower, upper). */
 FMB_BLOCK_INLINE void write_ends(int dim, const double *from, int width, double *to)
 {
 #pragma GCC unroll 3
@@ -56,7 +56,7 @@ static fmb_box_kernel *kernel_of_boxes(const fmb_pair_call *a, int stage, int ki
     return a->k->options.tightest ? NULL : of[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
 }
 
-/* Pair i meets; a kernel said so. */
+/* Find the box of pair i, which meets by a kernel. */
 static fmb_status find_box_from_stage(const fmb_pair_call *a, int stage, int kind, size_t i)
 {
     return stage < STAGES && kernel_of_boxes(a, stage, kind) ? wait_in_block(a, stage, i)
@@ -78,7 +78,7 @@ static fmb_status find_boxes_of_lanes(const fmb_pair_call *a, const fmb_block *b
 
 /* ---- verdicts -------------------------------------------------------------------------------- */
 
-/* What no kernel decides. Then its box may still be one for kernels, from that stage on. */
+/* Decide a pair that kernels left open. Kernels may still find its box, from that stage on. */
 static fmb_status decide_generally(const fmb_pair_call *a, int stage, int kind, size_t i)
 {
     fmb_pair *k = a->k;
@@ -103,8 +103,8 @@ static unsigned lanes_taken(const fmb_block *b)
     return (1U << b->lanes) - 1;
 }
 
-/* Where most lanes meet, they go on to boxes as they stand; else it is cheaper to put them into a
- * block of their own. */
+/* If most lanes meet, their boxes are found in the same block; else it is cheaper to put them into
+ * another block. */
 static fmb_status flush_verdicts(const fmb_pair_call *a, const fmb_block *b, int kind)
 {
     fmb_pair_bits bits = verdict_kernel(a, kind)(b->number);
@@ -125,7 +125,7 @@ static fmb_status flush_verdicts(const fmb_pair_call *a, const fmb_block *b, int
     return stay ? find_boxes_of_lanes(a, b, STAGE_BOX, kind, boxed) : FMB_OK;
 }
 
-/* The same of the block of frames with any number of axes. */
+/* Decide the block of frames with any number of axes. */
 static fmb_status flush_flat_verdicts(const fmb_pair_call *a, const fmb_block *b)
 {
     fmb_pair_bits bits = a->kernels->packed->flat[a->k->dim - 2](&a->k->flat, b->number);
@@ -143,7 +143,7 @@ static fmb_status flush_flat_verdicts(const fmb_pair_call *a, const fmb_block *b
     return FMB_OK;
 }
 
-/* And edges that are doubles. */
+/* Has the frame all axes, and edges that are doubles? */
 static bool has_all_axes(const fmb_frame *f, int dim)
 {
     fmb_corner_edges ignored;
@@ -152,7 +152,7 @@ static bool has_all_axes(const fmb_frame *f, int dim)
             (fmb_frame_is_by_corners(f->shape) && fmb_edges_of_frame(f, &ignored)));
 }
 
-/* Frames that are soon put into blocks: their numbers may still be far from the processor. */
+/* How many pairs ahead frames are prefetched, before they are put into blocks. */
 enum { AHEAD = 12 };
 
 /* Two lines of the cache. The second address is a number, as the axes may be few, or missing. */
@@ -235,7 +235,7 @@ static bool is_flat_kind(const fmb_flat_kind *k, bool moves, const fmb_frame *p,
            k->side[0].simplex == (bool)p->shape && k->side[1].simplex == (bool)q->shape;
 }
 
-/* The block holds one kind at a time: another one makes it go. */
+/* The block holds one kind at a time: a pair of another kind flushes it first. */
 static fmb_status prepare_flat_block(const fmb_pair_call *a, const fmb_frame *p, const fmb_frame *q)
 {
     const int naxes[2] = {p->naxes, q->naxes};
@@ -271,7 +271,7 @@ static void forget_waiting_pairs(fmb_pair *k)
     k->waiting = 0;
 }
 
-/* Pairs between two looks at a cancel; those that take long look themselves. */
+/* Pairs between two checks for a cancel; slow pairs check themselves. */
 enum { PAIRS_AT_ONCE = 256 };
 
 /* Are both frames of pair i by edges, still, with all axes, and of the shapes of pair `first`? */
@@ -297,7 +297,7 @@ static bool is_plain_block(const fmb_pair_call *a, size_t from, size_t to)
     return n == width;
 }
 
-/* A block of plain pairs, whose verdicts alone are asked. */
+/* Answer a block of plain pairs, of which only verdicts are requested. */
 static fmb_status answer_plain_block(const fmb_pair_call *a, size_t from)
 {
     const fmb_frame *p = &a->p[from], *q = &a->q[from];
@@ -310,8 +310,8 @@ static fmb_status answer_plain_block(const fmb_pair_call *a, size_t from)
     return flush_verdicts(a, &b, 2 * (int)p->shape + (int)q->shape);
 }
 
-/* Pairs from `from` up to but without `to`. Those of a block that is not plain go one after
- * another: mixed pairs are seldom looked at twice. */
+/* Answer the pairs from `from` to `to` - 1. If a block is not plain, its pairs are taken one after
+ * another, so that mixed pairs are rarely tested twice. */
 static fmb_status answer_some(const fmb_pair_call *a, size_t from, size_t to, size_t n)
 {
     const size_t width = (size_t)a->kernels->width;

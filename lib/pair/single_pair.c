@@ -44,7 +44,7 @@ static bool asks_exactly(const fmb_pair_call *a)
     return !a->k->options.doubles_only && !fmb_pair_is_cancelled(a->k);
 }
 
-/* More than a verdict, which is FEASIBLE. */
+/* Answer exactly what is requested beyond the verdict, which is FEASIBLE. */
 static fmb_status answer_exactly(const fmb_pair_call *a, size_t i)
 {
     fmb_pair_answers out = fmb_pair_answers_from(a->out, (size_t)a->k->dim, i);
@@ -110,7 +110,7 @@ static void decide_at_vertices(const fmb_pair_call *a, size_t i, fmb_verdict *ou
     fmb_way_answered(FMB_WAY_PAIR_VERTICES, *out != FMB_UNKNOWN);
 }
 
-/* Closed frames that kernels left open: most of them touch, which doubles never tell. */
+/* Decide closed frames that kernels left open: most of them touch, which doubles cannot prove. */
 static void meet_at_vertex(const fmb_pair_call *a, size_t i, fmb_verdict *out)
 {
     if (a->known != FMB_PAIR_OPEN || a->k->options.contact != FMB_CONTACT_CLOSED ||

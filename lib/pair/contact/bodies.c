@@ -5,7 +5,7 @@
 
 #include "frame/frame_private.h"
 
-/* Doubles times that power of two, in two factors as it may be as large as 2^1074. */
+/* A power of two as two factors, as it may be as large as 2^1074. */
 typedef struct power {
     double factor[2];
 } power;
@@ -49,8 +49,8 @@ static void place_cuboid(const fmb_frame *f, power s, const double *shift, fmb_b
     }
 }
 
-/* Of the first vertex to each: the sum of the sizes, or twice the largest. Four at once, as many
- * are there. */
+/* Over the vectors from the first vertex to each: the sum of the sizes, or for a hull twice the
+ * largest. Four at once, as vertices are padded. */
 static double reach_of_simplex(const fmb_body_vertices *s, bool hull)
 {
     double longest[4] = {0, 0, 0, 0}, sum = 0;
@@ -70,7 +70,7 @@ static double reach_of_simplex(const fmb_body_vertices *s, bool hull)
     return hull ? 2 * (other > two ? other : two) : sum;
 }
 
-/* Corners are taken from p's origin at once. */
+/* Corners are converted directly to coordinates relative to p's origin. */
 static void place_simplex(const fmb_frame *f, power s, const double *origin, const double *shift,
                           fmb_bodies *b, fmb_body_vertices *out)
 {
@@ -117,8 +117,8 @@ static void place_bodies(const fmb_frame *const f[2], power s, fmb_bodies *out)
     }
 }
 
-/* Most pairs are of a size at which nothing overflows or underflows as they are: they are placed
- * before anything is asked of their numbers. */
+/* Most pairs have sizes at which nothing overflows or underflows without scaling: so vertices are
+ * computed unscaled first, before the sizes of numbers are checked. */
 void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)
 {
     const fmb_frame *const f[2] = {p, q};

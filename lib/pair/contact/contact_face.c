@@ -1,9 +1,9 @@
 /* contact_face.c: see contact_face.h.
  *
- * All in the doubles of bodies.h. Vertices that are within 2^-40 of the reach (pair.h has it) of
- * the farthest along the normal belong to the face: that is what depth and normal may be off by.
- * The faces are then looked at in the plane at right
- * angles to the normal, where their corners are off by what is rounded alone: 2^-48 is plenty.
+ * Everything is in the doubles of bodies.h. Vertices within 2^-40 reach (pair.h) of the farthest
+ * along the normal belong to the face, as depth and normal may have such errors. The faces are then
+ * projected to the plane perpendicular to the normal, where their corners have rounding errors
+ * only, for which a tolerance of 2^-48 is plenty.
  */
 #include "pair/contact/contact_face.h"
 
@@ -17,7 +17,7 @@
 typedef struct contact_scene {
     fmb_bodies b;
     double fuzz;
-    double across[2][3]; /* at right angles to the normal; in the plane the second is 0 */
+    double across[2][3]; /* perpendicular to the normal; in the plane the second is 0 */
 } contact_scene;
 
 static void set_scene(const fmb_frame *p, const fmb_frame *q, const double *normal,
@@ -51,8 +51,8 @@ static double along(int dim, const double *n, const fmb_body_vertices *of, int v
     return sum;
 }
 
-/* The vertices of a body that are farthest along sign times the normal, as bits and as a polygon;
- * how far that is. */
+/* The vertices of a body that are farthest along sign times the normal, as bits and as a polygon.
+ * Returns their height along it. */
 static double find_face(contact_scene *s, int side, const double *normal, int sign, uint8_t *bits,
                         fmb_polygon *out)
 {

@@ -11,8 +11,8 @@ typedef struct asked_bodies {
     fmb_gjk g;
 } asked_bodies;
 
-/* From a guess between the middles of vertices that are about opposite, no farther than to know
- * that they are more than `enough` apart [world]. False: it underflows. */
+/* Run GJK, starting from the difference of approximate centres; it stops once the distance is known
+ * to exceed `enough` [world]. False: numbers underflow. */
 static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, double enough,
                               const fmb_hull_kernels *hulls, asked_bodies *x)
 {
@@ -61,9 +61,9 @@ bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near 
            tell_distance(&x, p, q, out);
 }
 
-/* The point that the weights tell, at least 0 and over their sum, of vertices that are off by 25 u
- * R and no larger than R in each coordinate: it is off by 25 u R and what is rounded, less than 16
- * u R, in each, and the length of what that makes is less than 128 u R. */
+/* An upper bound of the distance: the length of the point with the given weights, nonnegative and
+ * over their sum. Coordinates of vertices are at most R with errors of 25 u R, those of the point
+ * have less than 16 u R of rounding more: its length has an error of less than 128 u R. */
 static double most_distance(fmb_gjk *g)
 {
     double point[3] = {0, 0, 0}, sum = 0;
@@ -117,7 +117,7 @@ fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_con
     return FMB_FEASIBLE;
 }
 
-/* How far a body goes along sign times n. */
+/* The largest product of a vertex of the body with sign times n. */
 static double reach_along(const fmb_body_vertices *s, int dim, const double *n, double sign)
 {
     double most = -DBL_MAX;
@@ -130,8 +130,8 @@ static double reach_along(const fmb_body_vertices *s, int dim, const double *n, 
     return most;
 }
 
-/* The middle of what is between; what is left on either side must exceed the errors (gjk.h) of both
- * bodies, and what is rounded where the origin comes in. */
+/* Returns the middle of the gap; half of the gap must exceed the errors (gjk.h) of both bodies, and
+ * the rounding of the product with the origin. */
 double fmb_contact_offset_between(const fmb_frame *p, const double *normal, double low, double high,
                                   double reach, int exponent)
 {

@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* How far x lies to the left of the line from a to b; how far from a, if they are one. */
+/* The signed distance of x to the left of the line from a to b; if a = b, the distance from a. */
 static double left_of(const double *a, const double *b, const double *x)
 {
     double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {x[0] - a[0], x[1] - a[1]};
@@ -56,8 +56,8 @@ static void sort_corners(fmb_polygon *p)
         }
 }
 
-/* Corners that are within fuzz of the one before, or of the side between their neighbours, go, one
- * after another. */
+/* Remove corners that are within fuzz of the previous one, or of the side between their neighbours,
+ * one after another. */
 static void drop_corners(fmb_polygon *p, double fuzz)
 {
     for (int i = 0; p->n > 1 && i < p->n;) {
@@ -107,8 +107,8 @@ static double clamp(double t)
     return t < 0 ? 0 : t > 1 ? 1 : t;
 }
 
-/* What of p lies to the left of the line from a to b, corners up to fuzz on its right too; all of
- * it, if nothing does. */
+/* Clip p to the left of the line from a to b; corners up to fuzz on its right are kept, too. If
+ * nothing remains, p is unchanged. */
 static void clip_by_side(fmb_polygon *p, const double *a, const double *b, double fuzz)
 {
     fmb_polygon out;
@@ -125,7 +125,7 @@ static void clip_by_side(fmb_polygon *p, const double *a, const double *b, doubl
         polygon_copy(&out, p);
 }
 
-/* a is the longer segment: where b's ends lie along it, or where the two cross. */
+/* The intersection of two segments, a being the longer: b's ends along a, or the crossing. */
 static void meet_segments(const fmb_polygon *a, const fmb_polygon *b, double fuzz, fmb_polygon *out)
 {
     double length = distance(a->x[0], a->x[1]), t[2];

@@ -1,20 +1,20 @@
 /* epa.c: see epa.h.
  *
- * Triangles (in the plane segments) with vertices of M, as they are in doubles, make a closed
- * surface: those of a simplex around 0 at first; then the one nearest to 0 is asked how far M goes
- * beyond it, and all that a vertex which lies beyond can see give way to those that join the vertex
- * to the edges (ends) that are left. Whatever rounding lets it see, the surface stays closed: edges
- * that were passed once in each direction are again.
+ * Triangles (in the plane segments) with vertices of M, as computed in doubles, form a closed
+ * surface: first that of a simplex around 0. In each step the support vertex of M is found in the
+ * direction of the triangle nearest to 0; if it lies beyond, the triangles visible from it are
+ * replaced by those that join it to the edges (ends) of the hole. Whatever triangles rounding makes
+ * visible, the surface stays closed: each edge is still passed once in each direction.
  *
  * Proof. If 0 lies behind all triangles, at least t away from their planes, then the surface winds
  * around all points of the ball of radius t around 0, as each triangle adds a positive angle.
- * If vertices go to where those of M are, by 25 u R in each coordinate, then the surface moves by
- * less than 64 u R, and winds around the ball of radius t - 64 u R still: that ball lies in M, so
- * the depth is no less. It is no more than what M reaches along any direction.
+ * If the vertices are moved to the exact vertices of M, by 25 u R in each coordinate, the surface
+ * moves by less than 64 u R, and still winds around the ball of radius t - 64 u R: that ball lies
+ * in M, so the depth is at least its radius. It is at most the support of M in any direction.
  *
- * Where bodies are whole (bodies.h) nothing is rounded but lengths: the surface is the boundary of
- * the hull of its vertices, 0 is behind all triangles or on them, and M is behind one beyond which
- * it has no vertex.
+ * If bodies are exact (fmb_bodies_are_whole), only lengths are rounded: the surface is the boundary
+ * of the hull of its vertices, 0 is behind all triangles or on them, and M lies behind a triangle
+ * beyond which it has no vertex.
  */
 #include "pair/contact/epa.h"
 
@@ -55,7 +55,7 @@ static bool add_triangle(surface *s, int a, int b, int c)
     return true;
 }
 
-/* What passes it in the other direction is `other`. */
+/* Add an edge of a removed triangle, or cancel it against the opposite edge `other`. */
 static void add_edge(surface *s, const uint8_t *edge, const uint8_t *other)
 {
     for (int i = 0; i < s->edges; i++)

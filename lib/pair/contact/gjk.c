@@ -1,8 +1,7 @@
 /* gjk.c: see gjk.h.
  *
- * The nearest point x of a simplex is turned once more to right angles with it: what it is off by
- * then hardly tilts the plane that proves the distance. That proof needs nothing but x, and does
- * not ask where it comes from.
+ * The nearest point x of a simplex is orthogonalized against it once more: its remaining error then
+ * hardly tilts the plane that proves the distance. That proof needs only x, however it was found.
  */
 #include "pair/contact/gjk.h"
 
@@ -10,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* More are a sign of rounding alone. */
+/* More steps than this occur only by rounding. */
 enum { MOST_STEPS = 64 };
 
 static void subtract(const double *a, const double *b, double *out)
@@ -28,7 +27,7 @@ static void cross(const double *a, const double *b, double *out)
 
 /* ---- support --------------------------------------------------------------------------------- */
 
-/* The vertex of side k that is farthest along it. */
+/* The vertex of side k that is farthest in direction `along`. */
 static int farthest_vertex(const fmb_bodies *b, int k, const double *along)
 {
     const fmb_body_vertices *s = &b->side[k];
@@ -63,7 +62,7 @@ void fmb_gjk_support(const fmb_gjk *g, const double *w, fmb_gjk_vertex *out)
 
 /* ---- the nearest point of a simplex ---------------------------------------------------------- */
 
-/* A point of a simplex: of which of its vertices, with which weights. */
+/* A point of a simplex: vertices and their weights. */
 typedef struct simplex_point {
     int n, of[4];
     double weight[4], x[3];
@@ -135,7 +134,7 @@ static void nearest_of_triangle(const fmb_gjk *g, int i, int k, int l, simplex_p
     }
 }
 
-/* Does face i, k, l have 0 on the other side than vertex m? */
+/* Does the plane of face i, k, l separate 0 from vertex m? */
 static bool is_outside_face(const fmb_gjk *g, int i, int k, int l, int m)
 {
     double ab[3], ac[3], am[3], n[3];
@@ -192,8 +191,8 @@ static bool is_in_simplex(const fmb_gjk *g, const fmb_gjk_vertex *v)
     return i < g->n;
 }
 
-/* M reaches as far as v in the direction of -w: what that says of the distance. Roots are for
- * bodies that are apart: of others nothing is known yet. */
+/* Update the bound of the distance, given that v is the support of M in direction -w. The square
+ * root is computed only if the bodies are apart along w. */
 static void note_apart(fmb_gjk *g, const double *w, const fmb_gjk_vertex *v)
 {
     const double error = 64 * DBL_EPSILON * g->b->reach;
@@ -208,7 +207,7 @@ static void note_apart(fmb_gjk *g, const double *w, const fmb_gjk_vertex *v)
     }
 }
 
-/* Go on with the vertex behind the simplex; false: that does not come nearer, and nothing is
+/* One GJK step to the vertex after those of the simplex; false: it comes no nearer, and nothing is
  * changed.
  */
 static bool step_to_vertex(fmb_gjk *g, double *square)
@@ -279,7 +278,7 @@ double fmb_gjk_height(int dim, const double *a, const double *b, const double *c
     return above > 0 ? above / (sqrt(fmb_dot3(n, n)) + 32 * u * s) * (1 - 8 * u) : 0;
 }
 
-/* Half of all simplices look inward. */
+/* Orient the faces of the simplex outward; half of all simplices need it. */
 static void turn_simplex(fmb_gjk *g)
 {
     double ab[3], ac[3], ad[3] = {0, 0, 1}, n[3];
@@ -312,8 +311,8 @@ bool fmb_gjk_is_inside(fmb_gjk *g)
 
 /* ---- of whole numbers ------------------------------------------------------------------------ */
 
-/* A vertex of M that is farther along w, or less far, than those at hand, which are as far as each
- * other; false: there is none. */
+/* Add a vertex of M that differs along w from the present vertices, which are all equal along w;
+ * false: there is none. */
 static bool add_vertex_beside(fmb_gjk *g, const double *w)
 {
     const double back[3] = {-w[0], -w[1], -w[2]};
@@ -327,7 +326,7 @@ static bool add_vertex_beside(fmb_gjk *g, const double *w)
     return false;
 }
 
-/* The next vertex, in one of the directions at right angles to the edges at hand. */
+/* Add a vertex in a direction perpendicular to the present edges. */
 static bool grow_simplex(fmb_gjk *g)
 {
     bool grown = false;

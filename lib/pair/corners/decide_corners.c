@@ -42,8 +42,8 @@ static bool are_equal_corners(const double *p, const double *q)
     return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/* The corners of b that are corners of a get the numbers that they have there. Corners of a that is
- * not flat are distinct. */
+/* Give corners of b that are corners of a the same ids. Corners of a, which is not flat, are
+ * distinct. */
 static void number_shared_corners(const fmb_cell *a, fmb_cell *b)
 {
     for (int k = 0; k < FMB_CELL_MOST_CORNERS; k++) {

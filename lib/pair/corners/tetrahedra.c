@@ -10,14 +10,14 @@
 #include "pair/corners/cell.h"
 #include "pair/corners/volume.h"
 
-/* What the planes looked at tell so far. */
+/* The results of the planes tested so far. */
 typedef struct separation {
     const fmb_cell *a, *b;
     int shared;
     bool apart, weakly, only_shared;
 } separation;
 
-/* Bits are corners of c. */
+/* Are all corners of c in this set of bits also corners of the other cell? */
 static bool are_shared_corners(const fmb_cell *c, const fmb_cell *other, unsigned bits)
 {
     bool shared = true;
@@ -26,7 +26,7 @@ static bool are_shared_corners(const fmb_cell *c, const fmb_cell *other, unsigne
     return shared;
 }
 
-/* Signs of the corners beside a plane: bits of those on it; false if one is on the wrong side. */
+/* Note the side of corner k of a plane; on: bits of corners on it. False: it is the wrong side. */
 static bool add_corner(int sign, int k, unsigned *on)
 {
     *on |= sign == 0 ? 1U << k : 0;
@@ -46,8 +46,8 @@ static bool is_decided(const separation *s)
     return s->apart || s->only_shared;
 }
 
-/* The plane of the face of c that misses corner k, which is not beyond it: nor is the other cell,
- * if that is a corner of it, too. */
+/* Test the plane of the face of c opposite corner k. It cannot separate if k is also a corner of
+ * the other cell. */
 static void look_at_face(separation *s, const fmb_cell *c, const fmb_cell *other, int k)
 {
     const double *p = c->point[(k + 1) % 4], *q = c->point[(k + 2) % 4], *r = c->point[(k + 3) % 4];
@@ -63,7 +63,7 @@ static void look_at_face(separation *s, const fmb_cell *c, const fmb_cell *other
         note_plane(s, on == 0, c == s->a ? face : on, c == s->a ? on : face);
 }
 
-/* Corners of a tetrahedron on an edge, and the two others. */
+/* For each edge of a tetrahedron: its two corners, then the two others. */
 static const int edge_corner[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
                                       {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}};
 
@@ -82,7 +82,7 @@ static int find_side_of_others(const fmb_cell *c, const int *edge, fmb_differenc
     return sign[0] * sign[1] < 0 ? 0 : sign[0] + sign[1] > 0 ? 1 : sign[0] + sign[1] < 0 ? -1 : 0;
 }
 
-/* Edges have a corner in common. */
+/* Have the edges a common corner? */
 static bool do_edges_share(const separation *s, const int *of_a, const int *of_b)
 {
     const uint32_t *p = s->a->id, *q = s->b->id;
@@ -90,7 +90,7 @@ static bool do_edges_share(const separation *s, const int *of_a, const int *of_b
            p[of_a[1]] == q[of_b[1]];
 }
 
-/* Planes parallel to an edge of A and one of B. If these are parallel, all signs are 0. */
+/* Test the planes parallel to an edge of A and one of B. If these are parallel, all signs are 0. */
 static void look_at_edges(separation *s, const int *of_a, const int *of_b, bool share)
 {
     const fmb_cell *a = s->a, *b = s->b;
@@ -113,7 +113,7 @@ static void look_at_edges(separation *s, const int *of_a, const int *of_b, bool 
     s->only_shared |= share && __builtin_popcount(on_a) == 2 && __builtin_popcount(on_b) == 2;
 }
 
-/* Those that share a corner come first: most cells that share one are separated there. */
+/* Test pairs of edges, those with a common corner first: most cells with one are separated so. */
 static void look_at_all_edges(separation *s)
 {
     for (int share = s->shared > 0; share >= 0; share--)

@@ -88,7 +88,7 @@ static fmb_mesh_how decide_across_planes(const fmb_cell *a, const int *side_a, c
 
 /* ---- one plane ------------------------------------------------------------------------------- */
 
-/* Not a part of the loops below, which are short then. */
+/* Not inlined, to keep the loops below short. */
 __attribute__((noinline)) static int turn_in_plane(int k, const double *p, const double *q,
                                                    const double *r)
 {
@@ -119,7 +119,7 @@ static int separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
     return best;
 }
 
-/* p - v and q - v have one direction, if they are parallel and not 0. */
+/* Have p - v and q - v, which are parallel and not 0, the same direction? */
 static bool are_same_way(const double *v, const double *p, const double *q)
 {
     int j = 0;
@@ -167,14 +167,14 @@ static fmb_mesh_how decide_in_plane(const fmb_cell *a, const fmb_cell *b, int sh
 
 /* ---- neighbours ------------------------------------------------------------------------------ */
 
-/* The axis along which most of a triangle in this plane is seen, by a rounded normal. */
+/* The axis along which the projection of this plane is largest, by a rounded normal. */
 static int steepest_axis(const fmb_triangle_plane *h)
 {
     int k = fabs(h->normal[1]) > fabs(h->normal[0]) ? 1 : 0;
     return fabs(h->normal[2]) > fabs(h->normal[k]) ? 2 : k;
 }
 
-/* The corners of c, turned round so that corner i is the first. */
+/* The corners of c, rotated so that corner i comes first. */
 static void list_corners_from(const fmb_cell *c, int i, const double *out[3])
 {
     for (int j = 0; j < 3; j++)
@@ -209,14 +209,14 @@ static bool are_apart_but_for_edge(int k, const double *const a[3], const double
     return of_a != 0 && fmb_sign_of_turn(k, a[1], a[2], b[0]) == -of_a;
 }
 
-/* The only one of the three lowest bits that is 1. */
+/* The index of the only 1 among the three lowest bits. */
 static int place_of_bit(unsigned bit)
 {
     return (int)(bit >> 1);
 }
 
-/* Most neighbours in a mesh are told by this, those in one plane among them, for which volumes are
- * 0 and take long. h: a's plane. */
+/* A fast test that recognizes most neighbours in a mesh, also those in one plane, whose volumes are
+ * 0 and would take long. h: a's plane. */
 static bool are_mere_neighbours(const fmb_triangle_plane *h, const fmb_cell *a, const fmb_cell *b,
                                 unsigned common, int shared)
 {
@@ -230,7 +230,7 @@ static bool are_mere_neighbours(const fmb_triangle_plane *h, const fmb_cell *a, 
     return shared == 1 ? are_apart_but_for_corner(k, p, q) : are_apart_but_for_edge(k, p, q);
 }
 
-/* The corners that are not common, of which there are some, are strictly on one side. */
+/* Are all corners that are not shared, at least one, strictly on one side? */
 static bool are_others_on_one_side(const int side[3], int shared)
 {
     int sum = side[0] + side[1] + side[2];
@@ -239,7 +239,7 @@ static bool are_others_on_one_side(const int side[3], int shared)
 
 /* ---- both ------------------------------------------------------------------------------------ */
 
-/* What is strictly on one side of a plane but for common corners meets what is in it in these. */
+/* A cell strictly beside a plane but for shared corners meets a cell in the plane only in these. */
 fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_triangle_plane *plane,
                                   const fmb_cell *b, unsigned common)
 {

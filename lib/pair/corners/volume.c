@@ -99,7 +99,7 @@ static int exact_part(linear u, const linear v[2], const linear w[2], double h[C
     return multiply_by_difference(minor, n, u.c, u.n, scratch, h);
 }
 
-/* Of an expansion of n components. */
+/* The sign of an expansion of n components. */
 static int sign_of_expansion(const double *e, int n)
 {
     return n == 0 ? 0 : (e[n - 1] > 0) - (e[n - 1] < 0);
@@ -119,8 +119,8 @@ static int exact_sign(fmb_difference u, fmb_difference v, fmb_difference w)
     return sign_of_expansion(sum[1], n);
 }
 
-/* Of u_0 v_1 - u_1 v_0: products round to the nearest double, so the larger one of two is not below
- * the other, and what was lost tells between equal ones. */
+/* The sign of u_0 v_1 - u_1 v_0: rounding is monotonic, so the larger of two products does not
+ * round below the other, and rounding errors decide between equal ones. */
 static int sign_of_short_minor(const double u[2], const double v[2])
 {
     lane2 left = two_product(u[0], v[1]), right = two_product(u[1], v[0]);
@@ -128,7 +128,7 @@ static int sign_of_short_minor(const double u[2], const double v[2])
     return (more > 0) - (more < 0);
 }
 
-/* Few numbers in files are so long that a difference is. */
+/* Differences of the numbers in files are almost always exact doubles. */
 int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double *r)
 {
     int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -144,7 +144,7 @@ int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double
 
 /* ---- both ------------------------------------------------------------------------------------ */
 
-/* A double-double, and whether it is a double is noted: *rest stays 0 if it is. */
+/* Returns x and notes whether it is a double: *rest stays 0 if so. */
 static lane2 noted(lane2 x, double *rest)
 {
     *rest += fabs(x.lo);

@@ -1,13 +1,13 @@
 /* certify.c: see certify.h.
  *
  * With y = c P^-1, c the relative costs of the basic unknowns, the goal is constant + sum d_j z_j
- * over the unknowns that are not basic, d_j = cost_j - y m_j. Where each d_j is such that z_j is at
- * its better end, no z in its places is better. Artificial unknowns have but one end. (Dantzig
- * 1951.)
+ * over the nonbasic unknowns, with reduced costs d_j = cost_j - y m_j. If each z_j is at its better
+ * end by the sign of d_j, no z within its places is better. Artificial unknowns have only one end.
+ * (Dantzig 1951.)
  *
- * In doubles (point.c): any y' is y - r P^-1 with r = c - y' P, so that d_j is off by r P^-1 m_j
- * from what it is with y'. No number of P^-1 m_j = (I - E)^-1 R m_j is larger than twice the
- * largest of R m_j; as relative entries are at most 2, none is larger than 4 norm.
+ * In doubles (point.c): any y' is y - r P^-1 with r = c - y' P, so d_j computed with y' has an
+ * error of r P^-1 m_j. No entry of P^-1 m_j = (I - E)^-1 R m_j is larger than twice the largest of
+ * R m_j; as relative entries are at most 2, none is larger than 4 norm.
  */
 #include "pair/exact_box/certify.h"
 
@@ -17,7 +17,7 @@
 
 #define UNIT 0x1p-53
 #define SMALL                                                                                      \
-    (8 * FMB_WIDE_LEAST) /* more than costs and products may be off where they are small */
+    (8 * FMB_WIDE_LEAST) /* more than the absolute errors of costs and products that are small */
 
 /* ---- apart -----------------------------------------------------------------------------------
  *
@@ -96,14 +96,14 @@ void fmb_exact_box_find_loss(fmb_exact_box *v, const fmb_wide *y, const fmb_wide
 
 /* ---- is it the end? -------------------------------------------------------------------------- */
 
-/* Costs and prices of a goal, in integers as soon as they are needed. */
+/* Costs and prices of a goal; in integers once they are needed. */
 typedef struct priced_goal {
     fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS];
     double y[DIM], size, off; /* size: the sum of |y|; off: of |r| */
     bool is_exact;            /* prices in integers are known, in v->whole */
 } priced_goal;
 
-/* cost - y m_j, not relative; of the size of what it is made of, the cost and at most size. */
+/* cost - y m_j, not relative to a reference; its terms are the cost and others of at most size. */
 static double absolute_gain(const fmb_exact_box *v, const priced_goal *g, int j)
 {
     const double *m = v->program->m[j].near;
@@ -113,7 +113,7 @@ static double absolute_gain(const fmb_exact_box *v, const priced_goal *g, int j)
     return gain;
 }
 
-/* The same, relative to the reference; what it is off by for that y at most. */
+/* That gain relative to the reference; *error: its error bound for this y. */
 static double near_gain(const fmb_exact_box *v, const priced_goal *g, int j, double *error)
 {
     int reference = fmb_exact_box_reference_of(v, j);

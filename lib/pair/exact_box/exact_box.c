@@ -11,22 +11,22 @@
 
 enum { MOST_GOALS = 2 * (2 * FMB_EXACT_BOX_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
 
-/* Many ends are at a vertex where another one was found. */
+/* Visited vertices are kept, as many ends are attained at one that was found before. */
 struct fmb_exact_boxer {
     fmb_exact_box_program program;
     fmb_exact_box_walk walk;
     fmb_exact_box_whole whole;
     fmb_exact_box point[MOST_POINTS + 1]; /* visited so far; the next one */
     double near[MOST_POINTS][FMB_EXACT_BOX_COLUMNS + 2];
-    bool is_near[MOST_POINTS]; /* its numbers in near are good enough for a witness */
+    bool is_near[MOST_POINTS]; /* its doubles are good enough for a witness */
     int points, at;            /* at: one of them */
     fmb_exact_box_goal goal[MOST_GOALS];
-    int goals, end[MOST_GOALS]; /* the point where the goal is at its end */
+    int goals, end[MOST_GOALS]; /* the point where each goal is optimal */
 };
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
-/* At that basic solution, if it is a vertex; it counts among those whose mean is the witness. */
+/* Visit that basic solution, if it is a vertex; the witness is the mean of visited vertices. */
 static bool take_state_of_basis(fmb_exact_boxer *b, const fmb_exact_box_basis *basis)
 {
     int k = 0;
@@ -42,7 +42,7 @@ static bool take_state_of_basis(fmb_exact_boxer *b, const fmb_exact_box_basis *b
     return true;
 }
 
-/* From where doubles got to, on in integers. */
+/* Continue the walk in integers from where doubles ended. */
 static fmb_verdict go_on_exactly(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     fmb_exact_box *v = &b->point[b->points];
@@ -61,7 +61,7 @@ static void forget_points(fmb_exact_boxer *b)
         b->point[k].whole = &b->whole;
 }
 
-/* To a first vertex, which doubles may leave unproved. */
+/* Walk to a first vertex; unless prove is set, it may be unproved. */
 static fmb_verdict find_vertex(fmb_exact_boxer *b, bool prove)
 {
     forget_points(b);
@@ -75,7 +75,7 @@ static fmb_verdict find_vertex(fmb_exact_boxer *b, bool prove)
     return go_on_exactly(b, NULL);
 }
 
-/* How far visited point k is in the direction of the goal, roughly. */
+/* The approximate value of the goal at visited point k. */
 static double near_value_of_goal(const fmb_exact_boxer *b, const fmb_exact_box_goal *goal, int k)
 {
     double value = goal->is_world ? 0 : b->near[k][goal->number];
@@ -110,8 +110,8 @@ static bool take_state_at_end(fmb_exact_boxer *b, const fmb_exact_box_goal *goal
            go_on_exactly(b, goal) == FMB_FEASIBLE;
 }
 
-/* Both ends of n coordinates, or unknowns, from the first on. Least ends, then greatest ones:
- * neighbours are near each other. */
+/* Add goals for both ends of n coordinates, or unknowns, from the first on: least ends, then
+ * greatest ones, as consecutive optima are then near each other. */
 static int add_goals(fmb_exact_box_goal *goal, int goals, bool is_world, int first, int n)
 {
     for (int side = 0; side < 2; side++)
@@ -139,10 +139,10 @@ static bool find_ends(fmb_exact_boxer *b)
     return true;
 }
 
-/* What to do with one goal, at the point where it is at its end. */
+/* A callback for one goal, at the point where it is optimal. */
 typedef bool write_end(fmb_exact_boxer *b, const fmb_exact_box_goal *goal, void *to);
 
-/* Those of one point after another, as it has numbers that all of its goals share. */
+/* Write the ends point after point, as goals at one point share its exact numbers. */
 static bool write_wanted_ends(fmb_exact_boxer *b, write_end *write, void *to)
 {
     bool good = true;
@@ -155,7 +155,7 @@ static bool write_wanted_ends(fmb_exact_boxer *b, write_end *write, void *to)
     return good;
 }
 
-/* Of these, which: where an end stands among those of the world, of B, of time. */
+/* The index of an end among those of its group: of the world, of B, of time. */
 static size_t place_of_goal(const fmb_exact_box_program *s, const fmb_exact_box_goal *goal,
                             int *group)
 {
@@ -196,8 +196,8 @@ static double coordinate_of_point(fmb_exact_boxer *b, const fmb_frame *p, int k,
     return x;
 }
 
-/* Next to the largest double shares are added up instead. Point after point, as it has numbers that
- * all of its coordinates share. */
+/* If numbers are so large that sums overflow, shares are added instead. Point after point, as all
+ * coordinates of a point share its exact numbers. */
 static void write_mean_of_extreme_points(fmb_exact_boxer *b, const fmb_frame *p, double *x)
 {
     double sum[FMB_EXACT_BOX_DIM] = {0}, shares[FMB_EXACT_BOX_DIM] = {0};
@@ -263,7 +263,7 @@ static void write_value_here(fmb_exact_boxer *b, mpq_t *unit, const fmb_exact_bo
     write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), out);
 }
 
-/* Where rationals go; their units. */
+/* The caller's arrays of rationals, and the units of rows. */
 typedef struct exact_answer {
     const fmb_pair_answers_q *out;
     mpq_t *unit;
@@ -349,7 +349,7 @@ fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
 
 /* ---- verdicts -------------------------------------------------------------------------------- */
 
-/* Is some common point off that end of unknown j's place? UNKNOWN if that was not proved. */
+/* Is there a common point away from that end of unknown j's place? UNKNOWN: not proved. */
 static fmb_verdict find_point_off_end(fmb_exact_boxer *b, int j, bool high)
 {
     for (int k = 0; k < b->points; k++)
@@ -360,8 +360,8 @@ static fmb_verdict find_point_off_end(fmb_exact_boxer *b, int j, bool high)
     return fmb_exact_box_is_off_end(&b->point[b->at], j, high) ? FMB_FEASIBLE : FMB_INFEASIBLE;
 }
 
-/* The mean of common points that are, one or the other, off all ends of places, but those of the
- * time, is inside both frames. */
+/* Find a common inner point: if for each end of each place, except those of time, some common point
+ * is away from it, the mean of these points is inside both frames. */
 static fmb_verdict find_inner_point(fmb_exact_boxer *b)
 {
     const fmb_exact_box_program *s = &b->program;

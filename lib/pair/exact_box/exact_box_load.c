@@ -43,8 +43,8 @@ static double number_of_frame(const fmb_frame *f, int axis, int row)
     return f->axes[axis * f->dim + row];
 }
 
-/* Numbers of a row, and their least power of two; false if the largest is too large in terms of it.
- */
+/* Split the numbers of a row, and find their least power of two; false: the largest is too large in
+ * that unit. */
 static bool split_row(double_pair *d, int row)
 {
     int least = INT32_MAX, most = INT32_MIN;
@@ -99,7 +99,7 @@ static bool is_word(mpz_srcptr z)
     return fmb_integer_words(z) <= 1;
 }
 
-/* d divides unit, which is seen at once. */
+/* Does d divide unit? Only cheap tests. */
 static bool is_divisor(mpz_srcptr d, mpz_srcptr unit)
 {
     return mpz_cmp_ui(d, 1) == 0 || mpz_cmp(d, unit) == 0 ||
@@ -206,7 +206,7 @@ static void read_rational(const void *self, int frame, int axis, int row, fmb_wi
 
 /* ---- both ------------------------------------------------------------------------------------ */
 
-/* What a frame is, whatever its numbers are. */
+/* The shape of a frame, for doubles and rationals. */
 typedef struct body {
     fmb_shape shape;
     int dim, naxes;
@@ -284,8 +284,8 @@ static void measure_vector(fmb_exact_box_program *s, const fmb_exact_box_vector 
     }
 }
 
-/* How many bits all numbers of a vector are below those of their rows at least, and not more than
- * `most`. */
+/* By how many bits, at most `most`, all numbers of a vector are shorter than the longest of their
+ * rows. */
 static int bits_below_rows(const fmb_exact_box_program *s, const fmb_exact_box_vector *x, int most)
 {
     for (int row = 0; row < s->dim; row++) {
@@ -302,14 +302,13 @@ static void round_vector(const fmb_exact_box_program *s, fmb_exact_box_vector *x
         x->near[row] = fmb_wide_to_doubles(&x->whole[row], s->scale[row] - up, &x->rest[row]);
 }
 
-/* What the numbers of A, of B and of time, and those of h are multiplied by in doubles: 2 to these
- * powers. */
+/* The exponents of the powers of two by which doubles of A, of B, of time, and of h are scaled. */
 typedef struct scaling {
     int up[3], of_h;
 } scaling;
 
-/* If what is much smaller than the rest of its rows is one frame alone, which doubles would take
- * for a point, the unknowns of each frame get a unit of their own. */
+/* If one frame is so much smaller than the rest of its rows that doubles would take it for a point,
+ * the unknowns of each frame get their own unit. */
 static bool find_scaling(fmb_exact_box_program *s, scaling *by)
 {
     const int none = INT32_MAX / 2, point = 40;
@@ -359,7 +358,7 @@ static void read_wide(const fmb_wide *a, mpz_t out)
     mpz_import(out, (size_t)a->n, -1, sizeof *a->word, 0, 0, a->word);
 }
 
-/* What the columns of frame k have in common, if it is longer than a word; else 1. */
+/* The common divisor of the columns of frame k, if it is longer than a word; else 1. */
 static void find_end_of_frame(fmb_exact_box_program *s, int k, int first, int last)
 {
     mpz_t common, x;

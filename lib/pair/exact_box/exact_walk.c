@@ -1,11 +1,11 @@
 /* exact_walk.c: see exact_walk.h.
  *
- * The primal simplex method with Bland's rule. As long as unknowns are out of their places, it is
- * the sum of the ways there that becomes less; an unknown that gets to its place stays in it. Where
- * nothing makes that sum less, there is no common point. (Dantzig 1955; Bland 1977.)
+ * The primal simplex method with Bland's rule. While unknowns are outside of their places, the sum
+ * of their infeasibilities is minimized; an unknown that reaches its place stays in it. If the sum
+ * cannot be reduced to 0, there is no common point. (Dantzig 1955; Bland 1977.)
  *
- * Each step puts one column into adjugate, det and values, which stay whole (Edmonds 1967, Systems
- * of distinct representatives and linear algebra).
+ * Each pivot exchanges one column in adjugate, det and values, which remain integers (Edmonds 1967,
+ * Systems of distinct representatives and linear algebra).
  */
 #include "pair/exact_box/exact_walk.h"
 
@@ -22,8 +22,8 @@ typedef struct exact_walk {
     int items, unknown[FMB_EXACT_BOX_ITEMS];
     int out[FMB_EXACT_BOX_ITEMS]; /* -1: below its place, 1: above it */
     bool any_out;
-    fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS]; /* of what is to become greater */
-    bool turned;                                     /* less, rather */
+    fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS]; /* of the sum to be maximized */
+    bool turned;                                     /* minimized instead */
 } exact_walk;
 
 static int place_group(const exact_walk *w, int unknown)
@@ -71,7 +71,7 @@ static void look_at_places(exact_walk *w)
     }
 }
 
-/* Where something is out of its place, that; else the goal. */
+/* The costs of the infeasibilities, if some unknown is outside of its place; else of the goal. */
 static void list_exact_costs(exact_walk *w, const fmb_exact_box_goal *goal)
 {
     w->turned = !w->any_out && goal->greatest == (goal->is_world && w->v->side == 1);
@@ -89,7 +89,7 @@ static void list_exact_costs(exact_walk *w, const fmb_exact_box_goal *goal)
         w->cost[w->unknown[i]].whole = &w->whole->way[1 + w->out[i]];
 }
 
-/* The first unknown that gains where it leaves its end, or -1. */
+/* The entering unknown by Bland's rule: the first with a favourable reduced cost; or -1. */
 static int find_gaining(exact_walk *w)
 {
     fmb_exact_box *v = w->v;
@@ -111,7 +111,7 @@ static int find_gaining(exact_walk *w)
     return -1;
 }
 
-/* How much, times det, each item falls for each unit by which unknown j leaves its end. */
+/* The decrease of each item, times det, per unit by which unknown j leaves its end. */
 static void find_falls(const exact_walk *w, int j)
 {
     fmb_exact_box *v = w->v;
@@ -136,16 +136,16 @@ static void find_falls(const exact_walk *w, int j)
 
 /* ---- which unknown leaves -------------------------------------------------------------------- */
 
-/* How far an unknown goes: room / speed, until that item is at an end of its place; or itself at
- * its other one, where item is -1. */
+/* The step of an entering unknown: room / speed, until that item reaches an end of its place; or,
+ * if item is -1, until the unknown itself reaches its other end. */
 typedef struct exact_way {
     int item;
     bool high;
     fmb_wide room, speed;
 } exact_way;
 
-/* What item i has left until it is at an end of its place, or, out of it, at the nearer one: det
- * times that. False: it may go on for ever. */
+/* det times the distance of item i to the end of its place, or, if it is outside, to the nearer
+ * end. False: it is unlimited. */
 static bool room_of_item(const exact_walk *w, int i, bool up, fmb_wide *room, bool *high)
 {
     int group = place_group(w, w->unknown[i]), out = w->out[i];
@@ -169,8 +169,8 @@ static bool is_shorter(const exact_walk *w, int j, const exact_way *a, const exa
            (order == 0 && w->unknown[a->item] < (b->item < 0 ? j : w->unknown[b->item]));
 }
 
-/* Unknown j leaves its end until an item comes to one, or j to its other one; of several the one
- * with the least number. False: nothing stops it. */
+/* The ratio test: unknown j moves until an item reaches an end, or j its other end; ties go to the
+ * least number. False: nothing limits it. */
 static bool find_way(const exact_walk *w, int j, exact_way *way)
 {
     bool any = place_group(w, j) == FMB_EXACT_BOX_UNIT;
@@ -198,8 +198,8 @@ static bool find_way(const exact_walk *w, int j, exact_way *way)
 
 /* ---- a step ---------------------------------------------------------------------------------- */
 
-/* Row k of the adjugate becomes less all rows of its group: what was the reference of that is in
- * place k then, and the unknown of place k the reference. */
+/* Replace row k of the adjugate by minus the sum of all rows of its group: the reference of the
+ * group and the unknown of place k are exchanged. */
 static void swap_reference(exact_walk *w, int item, int k)
 {
     fmb_exact_box *v = w->v;
@@ -218,8 +218,8 @@ static void swap_reference(exact_walk *w, int item, int k)
     w->unknown[item] = v->reference[group];
 }
 
-/* An item that is a reference and leaves becomes one of P, if there are any of its group. Which
- * item it is then. */
+/* If the leaving item is a reference, exchange it with an unknown of P in its group, if there is
+ * one. Returns the item that it is then. */
 static int put_into_place(exact_walk *w, int item)
 {
     int n = w->v->program->dim, k = 0;
@@ -233,7 +233,7 @@ static int put_into_place(exact_walk *w, int item)
     return k;
 }
 
-/* Column of j in place k, of which the falls are known but for a sign. */
+/* Put the column of j in place k; its entries are the falls, up to a sign. */
 static void put_column_of(exact_walk *w, int k, bool high, const fmb_wide *speed)
 {
     fmb_exact_box_whole *whole = w->whole;
@@ -247,7 +247,7 @@ static void put_column_of(exact_walk *w, int k, bool high, const fmb_wide *speed
         fmb_wide_negate(&whole->adjugate[k][j]);
 }
 
-/* Unknown j goes that way, and is basic from then on in place of the one that came to an end. */
+/* Pivot: unknown j makes that step and becomes basic in place of the one that reached an end. */
 static void go(exact_walk *w, int j, const exact_way *way)
 {
     fmb_exact_box *v = w->v;
@@ -275,7 +275,7 @@ static void go(exact_walk *w, int j, const exact_way *way)
         v->reference[group] = j;
 }
 
-/* Unknown j goes to its other end. */
+/* Move nonbasic unknown j to its other end. */
 static void turn_end(exact_walk *w, int j)
 {
     unsigned char *place = &w->v->basis.place[j];
@@ -310,7 +310,7 @@ static fmb_verdict walk_on(exact_walk *w, const fmb_exact_box_goal *goal)
 
 /* ---- the walk -------------------------------------------------------------------------------- */
 
-/* All artificial unknowns and slacks: the one that always is a basis. */
+/* The basis of all artificial unknowns and slacks, which always exists. */
 static void put_unit_basis(const fmb_exact_box_program *s, fmb_exact_box_basis *basis)
 {
     *basis = (fmb_exact_box_basis){{0}};
@@ -319,7 +319,7 @@ static void put_unit_basis(const fmb_exact_box_program *s, fmb_exact_box_basis *
             basis->place[j] = FMB_EXACT_BOX_BASIC;
 }
 
-/* What is known of the basis that v came from is not of the one where it is. */
+/* Set v to its new basis, and forget the exact numbers of the old one. */
 static bool look_again(fmb_exact_box *v)
 {
     fmb_exact_box_basis basis = v->basis;

@@ -13,7 +13,7 @@ static fmb_u128 low_of(const fmb_wide *a)
     return a->minus ? fmb_u128_minus(fmb_u128_of(0), size) : size;
 }
 
-/* A row of P, and of the rest behind it. */
+/* A row of P, followed by that of the rest. */
 static void list_row(const fmb_exact_box_program *s, const int *basic, const int *reference,
                      const bool *is_one, int row, fmb_u128 *a)
 {
@@ -51,7 +51,7 @@ static double bound_det(const fmb_exact_box_program *s, const int *basic, const 
 
 /* ---- minors ---------------------------------------------------------------------------------- */
 
-/* The rest stands behind the columns, not in the place of that of x_k. */
+/* The rest is the last column; by Cramer's rule it would replace column k for x_k. */
 void fmb_exact_box_find_low(const fmb_exact_box_program *s, const int *basic, const int *reference,
                             const bool *is_one, fmb_exact_box_low *out)
 {

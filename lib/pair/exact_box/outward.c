@@ -2,14 +2,14 @@
 #include "pair/exact_box/outward.h"
 
 /* |fraction| = (m + rest / unit) 2^e, 0 <= rest < unit, 2^52 <= m < 2^53: a quotient of 53 bits,
- * and what it leaves. */
+ * and its remainder. */
 typedef struct quotient {
     uint64_t m;
     int e;
     fmb_wide rest, unit;
 } quotient;
 
-/* From a guess of m that is off by a few. */
+/* Start from a guess of m that is off by a few units, and correct it. */
 static void guess_and_correct(quotient *q, const fmb_wide *numerator, const fmb_wide *det)
 {
     double guess = fabs(fmb_wide_to_double(numerator) / fmb_wide_to_double(det));
@@ -29,7 +29,7 @@ static void guess_and_correct(quotient *q, const fmb_wide *numerator, const fmb_
         fmb_wide_subtract(&q->rest, &q->unit);
 }
 
-/* One bit less, or one bit more: m is next to a power of two. */
+/* Normalize m, which is next to a power of two, to 53 bits. */
 static void keep_53_bits(quotient *q)
 {
     if (q->m >= UINT64_C(1) << 53) {

@@ -1,9 +1,9 @@
 /* point.c: see point.h.
  *
- * In doubles, u = 2^-53, the numbers of M and h are at most 1, and off by u at most; so entries of
- * P, relative ones, are at most 2, and off by 2 u of that. A sum of n products is off by at most n
- * u of the sum of their absolute values, which is counted generously enough to cover terms of
- * higher order.
+ * In doubles, u = 2^-53, the numbers of M and h are at most 1, with errors of at most u; so the
+ * relative entries of P are at most 2, with relative errors of at most 2 u. A sum of n products has
+ * an error of at most n u times the sum of their absolute values, which is rounded up enough to
+ * cover terms of higher order.
  *
  * With R = inverse and E = I - R P, all sums of |E| of a row less than 1/2, P has an inverse, which
  * is (I - E)^-1 R. So P x = rest for one x alone; and with z = R (rest - P x'), for any x', x - x'
@@ -18,7 +18,7 @@ typedef fmb_exact_box_near near;
 #define DIM FMB_EXACT_BOX_DIM
 
 #define UNIT     0x1p-53
-#define A_LITTLE (1 + 0x1p-40) /* more than sums of bounds lose */
+#define A_LITTLE (1 + 0x1p-40) /* exceeds the rounding of sums of bounds */
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
@@ -73,7 +73,8 @@ static bool find_defects(fmb_exact_box *v, const double (*p)[DIM])
     return good;
 }
 
-/* Returns what each is made of, numbers of M and h being 1. */
+/* Returns a bound of the sum of absolute terms of each entry, as numbers of M and h are at most 1.
+ */
 static double find_near_rest(const fmb_exact_box *v, double *rest)
 {
     const fmb_exact_box_program *s = v->program;
@@ -125,15 +126,14 @@ static void find_near_values(fmb_exact_box *v, const double (*p)[DIM])
         v->x[k].error = error[k];
 }
 
-/* The unknown whose place is what something is left of: basic one `only`, or where that is -1 the
+/* The unknown whose place a remainder refers to: basic unknown `only`, or if that is -1 the
  * reference of a group. */
 static int owner_of_place(const fmb_exact_box *v, int group, int only)
 {
     return only < 0 ? v->reference[group] : v->basic[only];
 }
 
-/* Does x_k count in what is left of its end: that of number `only`, or all of its group where that
- * is -1?
+/* Is x_k subtracted in the remainder: only number `only`, or all of the group if that is -1?
  */
 static bool counts_in_rest(const fmb_exact_box *v, int k, int group, int only)
 {
@@ -188,7 +188,7 @@ static const fmb_wide *previous_pivot(const fmb_exact_box_whole *w, int k)
     return k > 0 ? &w->factor[k - 1][k - 1] : NULL;
 }
 
-/* a = (pivot a - b c) / previous: a whole number. */
+/* a = (pivot a - b c) / previous, which is an integer. */
 static void eliminate(fmb_wide *a, const fmb_wide *pivot, const fmb_wide *b, const fmb_wide *c,
                       const fmb_wide *previous)
 {
@@ -199,7 +199,7 @@ static void eliminate(fmb_wide *a, const fmb_wide *pivot, const fmb_wide *b, con
         fmb_wide_divide_exactly(a, previous);
 }
 
-/* Columns of P, and behind them h less the columns that count once: row by row. */
+/* List the columns of P, then h minus the columns of unknowns that are 1, row by row. */
 static void list_whole_entries(fmb_exact_box *v)
 {
     const fmb_exact_box_program *s = v->program;
@@ -219,8 +219,8 @@ static void list_whole_entries(fmb_exact_box *v)
     }
 }
 
-/* A row from k on whose number in column k has the fewest words comes to place k. False: all are 0.
- */
+/* Move to place k the row, from k on, whose number in column k has the fewest words. False: all are
+ * 0. */
 static bool take_pivot_row(fmb_exact_box_whole *w, int n, int k)
 {
     int best = -1, row;
@@ -360,7 +360,7 @@ const fmb_exact_box_low *fmb_exact_box_need_low(fmb_exact_box *v)
     return &v->whole->low;
 }
 
-/* x_k is near that; is it exactly 0? False: the lowest words do not tell. */
+/* Given x near x_k, is x_k exactly 0? False: the lowest words do not prove it. */
 static bool is_x_zero(fmb_exact_box *v, int k, near x)
 {
     if (!v->is_near || v->program->has_ends)
@@ -369,7 +369,7 @@ static bool is_x_zero(fmb_exact_box *v, int k, near x)
     return fmb_exact_box_is_low_zero(low, low->x[k], fabs(x.x) + x.error);
 }
 
-/* The same of what is left of 1. */
+/* Is a remainder exactly 0? False: the lowest words do not prove it. */
 static bool is_remainder_zero(fmb_exact_box *v, int group, int only, near left)
 {
     if (!v->is_near || v->program->has_ends)

@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-/* Guesses: less than this share of what a gain is made of is its rounding error; of the largest
- * entry of a column, no pivot; and of 1, no distance. */
+/* Tolerances, only for guesses: a gain below this share of its terms counts as rounding error; an
+ * entry below this share of the largest of its column is no pivot; a distance below this is 0. */
 #define NO_GAIN     0x1p-44
 #define NO_PIVOT    0x1p-36
 #define NO_DISTANCE 0x1p-40
@@ -19,7 +19,7 @@ static int group_of(const fmb_exact_box_walk *w, int unknown)
     return w->program->group[unknown];
 }
 
-/* Where the place of an unknown ends. */
+/* The upper end of the place of an unknown. */
 static double end_of(const fmb_exact_box_walk *w, int unknown)
 {
     return w->program->near_end[fmb_exact_box_end_of(w->program, unknown)];
@@ -67,8 +67,8 @@ static void put_first_basis(fmb_exact_box_walk *w, const fmb_exact_box_program *
 
 /* ---- steps ----------------------------------------------------------------------------------- */
 
-/* The unknown that gains most for each unit by which it leaves its end, or -1. weight_r is the cost
- * of the basic unknown of row r. */
+/* The entering unknown with the best reduced cost, or -1. weight_r is the cost of the basic unknown
+ * of row r. */
 static int find_entering(const fmb_exact_box_walk *w, const double *cost, const double *weight)
 {
     double gain[FMB_WALK_COLUMNS], size[FMB_WALK_COLUMNS], most = 0;
@@ -96,7 +96,7 @@ static int find_entering(const fmb_exact_box_walk *w, const double *cost, const 
     return best;
 }
 
-/* How far the basic unknown of row r may go up (or down) until it is at an end. */
+/* The distance by which the basic unknown of row r may increase (or decrease) to an end. */
 static double find_room(const fmb_exact_box_walk *w, int r, bool up, bool *high)
 {
     int group = group_of(w, w->basic[r]);
@@ -112,7 +112,7 @@ static double find_room(const fmb_exact_box_walk *w, int r, bool up, bool *high)
     return value > 0 ? value : 0;
 }
 
-/* Row r is written for unknown j in place of the one that is basic there. */
+/* Pivot: unknown j becomes basic in row r. */
 static void pivot(fmb_exact_box_walk *w, int r, int j)
 {
     double *row = w->entry[r], inverse = 1 / row[j];
@@ -129,7 +129,7 @@ static void pivot(fmb_exact_box_walk *w, int r, int j)
     }
 }
 
-/* Unknown j leaves its end until a basic one comes to an end, or j to its other one. */
+/* Unknown j enters: it moves until a basic unknown reaches an end, or j its other end. */
 static void leave_end(fmb_exact_box_walk *w, int j)
 {
     double sign = w->basis.place[j] == FMB_EXACT_BOX_HIGH ? -1 : 1, largest = 0;
@@ -167,7 +167,7 @@ static void leave_end(fmb_exact_box_walk *w, int j)
 
 /* ---- walks ----------------------------------------------------------------------------------- */
 
-/* The artificial unknowns that are not 0 are to become less. */
+/* Weights that minimize the artificial unknowns that are not 0. */
 static bool weigh_artificial_unknowns(const fmb_exact_box_walk *w, double *weight)
 {
     bool any = false;

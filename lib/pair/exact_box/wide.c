@@ -91,7 +91,7 @@ void fmb_wide_shift(fmb_wide *a, int bits)
     fmb_wide_trim(a);
 }
 
-/* Long numbers often end in zeros: powers of two between what is large and what is small. */
+/* The first nonzero word: long numbers often end in zeros, as rows mix large and small ones. */
 static int first_word(const fmb_wide *a)
 {
     int i = 0;
@@ -100,7 +100,7 @@ static int first_word(const fmb_wide *a)
     return i;
 }
 
-/* to += x b, n words; what goes over into the next one. */
+/* to += x b, n words; returns the carry out of the highest word. */
 static uint64_t add_row_of_words(fmb_word *to, uint64_t x, const fmb_word *b, int n)
 {
     uint64_t carry = 0;
@@ -146,7 +146,7 @@ static void subtract_words(fmb_wide *out, const fmb_word *large, const fmb_word 
     out->n = n;
 }
 
-/* The same where all factors have at most 61 bits: the sum of 16 products has at most 126. False:
+/* fmb_wide_dot if all factors have at most 61 bits: the sum of 16 products has at most 126. False:
  * they are longer. */
 static bool dot_of_short_factors(fmb_wide *out, int n, const fmb_wide *const *a,
                                  const fmb_wide *const *b, unsigned minus)
@@ -168,7 +168,7 @@ static bool dot_of_short_factors(fmb_wide *out, int n, const fmb_wide *const *a,
     return true;
 }
 
-/* Products are gathered by their signs; in the end one sum is taken from the other. */
+/* Products are summed by sign; in the end one sum is subtracted from the other. */
 void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide *const *b,
                   unsigned minus)
 {
@@ -195,7 +195,7 @@ void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide
     fmb_wide_trim(out);
 }
 
-/* a /= 2^bits, which divides it. */
+/* a /= 2^bits, which divides a. */
 static void shift_down(fmb_wide *a, int bits)
 {
     int words = bits / 64, rest = bits % 64;
@@ -207,7 +207,7 @@ static void shift_down(fmb_wide *a, int bits)
     fmb_wide_trim(a);
 }
 
-/* Of an odd word, modulo 2^64: right in three bits, then in twice as many each time. */
+/* The inverse of an odd word modulo 2^64 by Newton's method: correct bits, at first 3, double. */
 static uint64_t inverse_of_word(uint64_t d)
 {
     uint64_t x = d;
@@ -217,7 +217,7 @@ static uint64_t inverse_of_word(uint64_t d)
 }
 
 /* Jebelean 1993, An algorithm for exact division: from the lowest word on, each word of the
- * quotient is that of what is left, times the inverse of the lowest word of an odd divisor. */
+ * quotient is that of the remainder times the inverse of the lowest word of an odd divisor. */
 void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d)
 {
     fmb_wide odd;

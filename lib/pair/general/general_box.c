@@ -1,15 +1,15 @@
 /* general_box.c: the box of the common points in doubles, in any dimension.
  *
  * An end is a linear program. The simplex method goes from the vertex of one end to that of the
- * next, in doubles; its prices y then prove the end (prove.c): no common point is farther
- * out, and one is nearly there.
+ * next, in doubles; its prices y then prove the end (prove.c): no common point is farther out, and
+ * one is close to it.
  */
 #include "pair/general/workspace.h"
 
 #include <math.h>
 
-/* What an end may be too far out, of the largest coordinate: 1e-12 less what rounding adds to it
- * when it is written, at most 4 times 2^-53 of three times that coordinate. */
+/* The allowed excess of an end, as a share of the largest coordinate: 1e-12 minus the rounding when
+ * it is written, at most 4 times 2^-53 of three times that coordinate. */
 #define EXCESS 0.98e-12
 
 typedef struct boxer {
@@ -22,7 +22,7 @@ typedef struct boxer {
 
 /* ---- the largest coordinate ------------------------------------------------------------------ */
 
-/* Coordinate i of the corners reaches from low to high, at t = 0. */
+/* The interval [low, high] of coordinate i of the corners, at t = 0. */
 static void reach_of_corners(const fmb_frame *f, int i, double *low, double *high)
 {
     *low = *high = f->origin[i];
@@ -66,7 +66,7 @@ static bool find_end_of_cost(boxer *b, const double *cost, double excess, double
     return true;
 }
 
-/* Unknown j, from 0 to 1. */
+/* Bound unknown j; the ends lie in 0 ... 1. */
 static bool bound_unknown(boxer *b, int j, double *out)
 {
     double cost[FMB_GENERAL_MOST_COLUMNS] = {0};
@@ -80,7 +80,7 @@ static bool bound_unknown(boxer *b, int j, double *out)
     return good;
 }
 
-/* Coordinate i of A's points, less that of its origin: the costs, scaled by a power of two. */
+/* The costs of coordinate i of A's points, relative to its origin, scaled by a power of two. */
 static int weigh_coordinate(const boxer *b, int i, double *cost)
 {
     const fmb_frame *p = b->p;

@@ -1,16 +1,16 @@
 /* general_decide.c: see general.h.
  *
  * Guess fast, prove exactly. The guess is the dual simplex method without costs, in plain doubles:
- * either it ends with a direction in which the frames should be apart; or there is a vertex, and
- * the mean of some is a point that should be inside both. Whatever rounding did on the way, the
+ * it ends either with a direction in which the frames should be apart; or with a vertex, and the
+ * mean of some vertices is a point that should be inside both. Whatever rounding did before, the
  * proof (prove.c) needs only that direction or that point, and has an error bound.
  */
 #include "pair/general/workspace.h"
 
 #include <math.h>
 
-/* Less than this is taken for the rounding error of 0 in linear programs, in values and costs, and
- * in pivots: guesses. */
+/* Tolerances, only for guesses: smaller values and costs, and smaller pivots, count as rounding
+ * errors of 0 in linear programs. */
 #define NOTHING     0x1p-46
 #define LEAST_PIVOT 0x1p-30
 
@@ -20,7 +20,7 @@ static void free_equations(fmb_general_system *s, size_t rows, size_t columns, f
     fmb_mem_put(mem, s->h, rows, sizeof *s->h);
 }
 
-/* Room for that many; false without memory. */
+/* Allocate a system of that size; false without memory. */
 static bool open_equations(fmb_general_system *s, size_t rows, size_t columns, fmb_mem *mem)
 {
     s->m = fmb_mem_get(mem, columns * rows, sizeof *s->m);
@@ -28,7 +28,7 @@ static bool open_equations(fmb_general_system *s, size_t rows, size_t columns, f
     return s->m && s->h;
 }
 
-/* Room for linear programs. */
+/* Allocate the workspace of linear programs. */
 static bool open_program(fmb_general *g, size_t rows, size_t columns, fmb_mem *mem)
 {
     bool good = open_equations(&g->program, rows, columns, mem) &&
@@ -66,7 +66,7 @@ void fmb_general_free(fmb_general *g, fmb_mem *mem)
     size_t d = (size_t)g->dim;
     free_equations(&g->pair, d, 2 * d + 1, mem);
     free_equations(&g->program, d + 2, 2 * d + 3, mem);
-    g->basis.mem = mem; /* it may have moved */
+    g->basis.mem = mem; /* the address may have changed */
     fmb_basis_clear(&g->basis);
     fmb_mem_put(mem, g, 1, sizeof *g);
 }
@@ -127,8 +127,8 @@ bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 
 /* ---- the verdict ----------------------------------------------------------------------------- */
 
-/* A place of the basis that no column takes: its edge is across all of them, and the frames lie in
- * parallel flats. */
+/* If a place of the basis has no column, its edge is perpendicular to all columns, and the frames
+ * lie in parallel flats: are they apart in that direction? */
 static bool are_in_parallel_flats(const fmb_general *g)
 {
     double edge[FMB_GENERAL_MOST_ROWS];

@@ -1,7 +1,7 @@
-/* general_program.c: linear programs over the common points of a pair, in doubles: guesses too.
+/* general_program.c: linear programs over the common points of a pair, in doubles; also guesses.
  *
- * The system of the pair, with a slack for the sum of each simplex, so that every unknown has ends
- * of its own: 0, and 1 unless it is summed. A vertex has all unknowns but the pivots at an end.
+ * The system of the pair, with a slack for the sum of each simplex, so that every unknown has its
+ * own bounds: 0, and 1 unless it is summed. At a vertex all nonbasic unknowns are at a bound.
  */
 #include "pair/general/workspace.h"
 
@@ -9,7 +9,7 @@
 
 /* ---- the system ------------------------------------------------------------------------------ */
 
-/* The pair; for each simplex a row c_1 + ... + slack = 1. */
+/* Load the pair, with a row c_1 + ... + slack = 1 for each simplex. */
 static void load_with_slacks(const fmb_general_system *pair, fmb_general_system *s)
 {
     int row[FMB_GENERAL_KINDS] = {-1, -1, -1, -1};
@@ -56,7 +56,7 @@ static bool fill_basis(fmb_general *g)
     return filled == d;
 }
 
-/* The pivots, and z, of the vertex at which the basis stands. */
+/* Read the pivots, and z, of the vertex of the present basis. */
 static void read_vertex_of_basis(fmb_general *g)
 {
     fmb_general_system *s = &g->program;
@@ -98,7 +98,7 @@ bool fmb_general_maximize(fmb_general *g, const double *cost, double *y)
 
 /* ---- a point inside -------------------------------------------------------------------------- */
 
-/* The unknown that is closest to an end. */
+/* The unknown that is closest to a bound. */
 static int find_tightest_unknown(const fmb_general_system *s, const double *z)
 {
     int tightest = 0;
@@ -108,8 +108,8 @@ static int find_tightest_unknown(const fmb_general_system *s, const double *z)
     return tightest;
 }
 
-/* The mean of vertices, each the farthest from the end that the mean of those before is closest to.
- * It stops when that is not close, or where nothing leads away from it. */
+/* The mean of vertices, each farthest from the bound to which the mean so far is closest. It ends
+ * when that bound is not close, or no vertex is away from it. */
 bool fmb_general_find_inside(fmb_general *g, double *z)
 {
     const fmb_general_system *s = &g->program;

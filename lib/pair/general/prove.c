@@ -1,4 +1,4 @@
-/* prove.c: what makes a guess an answer.
+/* prove.c: proofs of guesses.
  *
  * u = 2^-53 below; a sum of n products is off by at most n u (1 + n u) times the sum of their
  * absolute values, which is itself summed up, and that sum is off by as small a share. Counting
@@ -64,7 +64,7 @@ bool fmb_general_are_apart(const fmb_general_system *s, const double *direction)
  * moved by |R| |y|, the solution is strictly inside both frames.
  */
 
-/* |rest_i|, with what it may be off: each product by u for its entry, u for itself, and u for each
+/* |rest_i| plus its error bound: each product has errors u of its entry, u of itself, and u of each
  * of the at most `columns` sums. */
 static void bound_rest(const fmb_general_system *s, const double *z, double *rest)
 {
@@ -126,7 +126,7 @@ static bool bound_y(const fmb_general_system *s, const double *z, double *y)
     return good;
 }
 
-/* How far each unknown may be from the solution: more than it is, by the sums' own errors. */
+/* A bound of the distance of each unknown from the solution, including the errors of the sums. */
 static void bound_way(const fmb_general_system *s, const double *y, double *way)
 {
     for (int j = 0; j < s->columns; j++)
@@ -140,7 +140,7 @@ static void bound_way(const fmb_general_system *s, const double *y, double *way)
     }
 }
 
-/* z > way says what it says; 1 - z is off by u of itself, less than what is added to way. */
+/* z > way is an exact comparison; 1 - z has a relative error of u, less than the margin on way. */
 static bool stays_inside_places(const fmb_general_system *s, const double *z, const double *way)
 {
     bool good = true;
@@ -161,8 +161,8 @@ bool fmb_general_is_near_common(const fmb_general_system *s, const double *z)
     return stays_inside_places(s, z, way);
 }
 
-/* Only the pivots move; what is at an end stays there. What is summed is at most 1 as none of the
- * others is negative. */
+/* Only the pivots move; other unknowns stay at their bounds. Summed unknowns are at most 1, as none
+ * of the others in the sum is negative. */
 bool fmb_general_is_near_vertex(const fmb_general_system *s, const double *z)
 {
     double y[FMB_GENERAL_MOST_ROWS], way[FMB_GENERAL_MOST_COLUMNS];

@@ -17,7 +17,7 @@ static const double SLACK = 0x1p-49; /* 16 u */
 
 /* ---- one frame ------------------------------------------------------------------------------- */
 
-/* An end of what the axes add to a coordinate: of a simplex the least of 0 and each. */
+/* An end of the axes' contribution to a coordinate: of a simplex the extreme of 0 and each axis. */
 typedef struct reach {
     double low, high, size;
 } reach;
@@ -52,7 +52,7 @@ void fmb_bounds_of_frame(const fmb_frames *s, size_t i, fmb_bounds *out)
 
 /* ---- eight frames ---------------------------------------------------------------------------- */
 
-/* Where the lower ends of coordinate j stand, those of all eights; the upper ones follow. */
+/* The lower ends of coordinate j of all eights; the upper ones follow. */
 static double *ends_of_eights(const fmb_frames *s, int j)
 {
     return s->bounds + 2 * s->eights * (size_t)j;

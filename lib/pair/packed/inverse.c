@@ -38,7 +38,7 @@ typedef struct square {
 
 typedef double twice_a_row[2 * MOST];
 
-/* The row from c on with the largest number in column c comes to place c. */
+/* Move to place c the row, from c on, with the largest number in column c. */
 static void bring_pivot(int n, int c, twice_a_row *x)
 {
     twice_a_row row;
@@ -50,7 +50,7 @@ static void bring_pivot(int n, int c, twice_a_row *x)
     memcpy(x[best], row, sizeof row);
 }
 
-/* Gauss and Jordan, and about the absolute value of the determinant. False: a pivot is 0. */
+/* Gauss-Jordan elimination; *det: approximately |determinant|. False: a pivot is 0. */
 static bool guess_inverse(const square *a, square *v, double *det)
 {
     const int n = v->n = a->n;
@@ -170,7 +170,7 @@ static double find_whole(const square *a, const square *v, double grain, double 
     return det;
 }
 
-/* What stands behind the size, if numbers are of few bits; a, v and power as below. */
+/* Write whole and grain after the size, if numbers have few bits; a, v and power as below. */
 static void write_whole(const fmb_frame *f, const square *a, const square *v, double det, int power,
                         double *out)
 {
@@ -215,7 +215,7 @@ static double largest_number(const double *x, int n)
     return most;
 }
 
-/* Numbers that are scaled back, and what they sum to, a little more. */
+/* Write the inverse, scaled back, and upper bounds of its sums of absolute values. */
 static void write_inverse(const square *v, int power, double *inverse, double *reach)
 {
     for (int r = 0; r < v->n; r++) {

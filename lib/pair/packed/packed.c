@@ -59,7 +59,7 @@ bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
     return true;
 }
 
-/* More than verdicts too; out is of these n pairs, n <= FMB_PACKED_AT_ONCE. */
+/* Answer n <= FMB_PACKED_AT_ONCE pairs as frames, with more than verdicts; out is for them. */
 static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                                    const fmb_frames_pair *pair, fmb_pair_known known,
                                    const fmb_pair_answers *out)

@@ -3,10 +3,10 @@
 #include "pair/packed/packed.h"
 #include "pair/pair_contact.h"
 
-/* Pairs that a kernel is asked about in one call. */
+/* Pairs in one call of a kernel. */
 enum { CONTACTS_OF_CALL = 64 };
 
-/* Those that wait for it, and their numbers in out. */
+/* The pairs collected for a kernel, and their numbers in out. */
 typedef struct contacts_waiting {
     size_t n, number[CONTACTS_OF_CALL];
     fmb_frames_pair pair[CONTACTS_OF_CALL];
@@ -15,10 +15,10 @@ typedef struct contacts_waiting {
 typedef struct contacts_query {
     fmb_pair *k;
     const fmb_frames *a, *b;
-    int kind_a, kind_b;   /* of the pairs before; -1 at first */
+    int kind_a, kind_b;   /* of the previous pairs; -1 at first */
     fmb_packed_plan plan; /* of verdicts */
     fmb_flat_kind kind;   /* of depths */
-    bool planned;         /* a kernel knows them */
+    bool planned;         /* there is a kernel for these kinds */
 } contacts_query;
 
 /* One pair as frames. */
@@ -29,7 +29,7 @@ static fmb_status answer_contact_as_frames(const contacts_query *x, fmb_frames_p
     return fmb_contact_answer_all(x->k, 1, &p, &q, out);
 }
 
-/* A length and a direction, where they are asked for. */
+/* Write a length and a direction, if they are requested. */
 static void write_length(int dim, const double *length,
                          const double (*normal)[FMB_BLOCK_MOST_LANES], int lane, size_t i,
                          double *to, const fmb_pair_answers *out)
@@ -79,7 +79,7 @@ static fmb_status write_distance(const contacts_query *x, fmb_frames_pair pair,
     return fmb_contact_answer_apart(x->k, &p, &q, good ? &near : NULL, &one);
 }
 
-/* What a kernel says of those that wait, all of which meet, or else are apart. */
+/* Answer the collected pairs, which all meet, or else are all apart, by a kernel. */
 static fmb_status ask_waiting(const contacts_query *x, bool meet, contacts_waiting *w,
                               const fmb_pair_answers *out)
 {
@@ -104,7 +104,7 @@ static fmb_status ask_waiting(const contacts_query *x, bool meet, contacts_waiti
     return st;
 }
 
-/* Pair i of out waits, too. */
+/* Add pair i of out to the collected ones. */
 static fmb_status wait_for_kernel(const contacts_query *x, bool meet, fmb_frames_pair pair,
                                   size_t i, contacts_waiting *w, const fmb_pair_answers *out)
 {
@@ -113,7 +113,7 @@ static fmb_status wait_for_kernel(const contacts_query *x, bool meet, fmb_frames
     return w->n == CONTACTS_OF_CALL ? ask_waiting(x, meet, w, out) : FMB_OK;
 }
 
-/* Pair i of out, whose verdict is there. */
+/* Answer pair i of out, whose verdict is known. */
 static fmb_status answer_decided(const contacts_query *x, fmb_frames_pair pair, size_t i,
                                  contacts_waiting waiting[2], const fmb_pair_answers *out)
 {
@@ -129,8 +129,8 @@ static fmb_status answer_decided(const contacts_query *x, fmb_frames_pair pair, 
     return more ? wait_for_kernel(x, meet, pair, i, &waiting[meet], out) : FMB_OK;
 }
 
-/* n pairs of one kind that a kernel knows, from pair i of out on. Verdicts come first, which cost a
- * fraction; those that meet, and those apart, then fill blocks of their own. */
+/* Answer n pairs of one kind that has a kernel, from pair i of out on. Verdicts come first, as they
+ * are cheap; pairs that meet, and pairs that are apart, then fill separate blocks. */
 static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
                                        const fmb_frames_pair *pair, size_t i,
                                        const fmb_pair_answers *out)

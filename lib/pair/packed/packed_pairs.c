@@ -15,7 +15,7 @@ typedef struct pairs_query {
     size_t n;
 } pairs_query;
 
-/* Verdicts that are UNKNOWN among n. */
+/* Decide the pairs whose verdicts are UNKNOWN among n. */
 static fmb_status decide_open_pairs(fmb_pair *k, const pairs_query *x, size_t n,
                                     const fmb_frames_pair *pair, fmb_verdict *out)
 {
@@ -90,7 +90,7 @@ static fmb_status decide_mixed_pairs(fmb_pair *k, const pairs_query *x, size_t n
     return st;
 }
 
-/* The first pair with a number that is none; n: there is none. */
+/* The first pair with a number of no frame; n: there is none. */
 static size_t find_bad_pair(const fmb_pair *k, const pairs_query *x, size_t n,
                             const fmb_frames_pair *pair)
 {
@@ -157,8 +157,8 @@ static void answer_some_portions(void *self, size_t job, size_t thread)
     }
 }
 
-/* The error of the first portion that has one. It is asked again by k, which then tells what is
- * wrong with it, and not with a later one. */
+/* Returns the error of the first portion that has one. That portion is repeated by k, so that its
+ * error text is about this portion and not about a later one. */
 static fmb_status answer_by_threads(fmb_pair *k, const pairs_query *x)
 {
     size_t jobs = (x->n - 1) / (PORTIONS * PORTION) + 1, job = 0;

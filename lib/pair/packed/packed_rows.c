@@ -1,9 +1,9 @@
 /* packed_rows.c: one frame against many, and all against all.
  *
- * The frames of the second set are taken kind by kind, in chunks that stay in the first cache as
- * tiles of lanes while all frames of a band of the first set are asked against them. Eight frames
- * whose common box one does not meet are apart from it: no kernel is asked, and no tile made. What
- * is known of a band is kept in bits, so that answers come by number, whatever the order of work.
+ * The frames of the second set are processed kind by kind, in chunks that stay in the first cache
+ * as tiles of lanes while all frames of a band of the first set are tested against them. If a frame
+ * does not meet the common box of eight frames, it is apart from them: no kernel runs, and no tile
+ * is made. The results of a band are kept in bits, so that answers come in the order of numbers.
  */
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,7 @@ typedef struct chunk {
     size_t from, n;
     int kind;
     uint64_t tiled; /* eights */
-    unsigned vain;  /* rows in turn whose box told nothing */
+    unsigned vain;  /* consecutive rows whose box excluded nothing */
     _Alignas(64) double tiles[CHUNK * 2 * FMB_RECORD_LINE];
 } chunk;
 
@@ -36,7 +36,7 @@ static size_t most_of_chunk(const fmb_frames *s)
     return fit < CHUNK ? fit : CHUNK;
 }
 
-/* The chunk that begins at `from`, as yet without tiles; its end. */
+/* Set the chunk that begins at `from`, without tiles; returns its end. */
 static size_t begin_chunk(const fmb_frames *s, size_t from, chunk *out)
 {
     int kind = s->kind[s->order[from]];
@@ -51,7 +51,7 @@ static size_t begin_chunk(const fmb_frames *s, size_t from, chunk *out)
     return end;
 }
 
-/* The lowest run of eights goes from *left; its first one, and how many these are. */
+/* Remove the lowest run of eights from *left; returns its first one, *count their number. */
 static size_t take_run_of_eights(uint64_t *left, size_t *count)
 {
     size_t g = (size_t)__builtin_ctzll(*left);
@@ -76,8 +76,8 @@ static void tile_eights(const fmb_pair *k, chunk *c, uint64_t wanted)
     }
 }
 
-/* After so many rows whose box told nothing no other is asked of a chunk: where frames are in no
- * order all boxes of eight meet. */
+/* After so many rows whose box excluded nothing, boxes are no longer tested for a chunk: if frames
+ * are in no spatial order, all boxes of eight meet. */
 enum { MOST_VAIN = 4 };
 
 /* Eights of a chunk that frame i of a may meet. */
@@ -94,8 +94,8 @@ static uint64_t find_open_eights(const fmb_frames *a, size_t i, chunk *c)
     return open;
 }
 
-/* Frame i of a against those of a chunk whose boxes it may meet. After a cancel nothing is known.
- */
+/* Test frame i of a against the frames of a chunk whose boxes it may meet. After a cancel all are
+ * undecided. */
 static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c,
                       fmb_packed_bits out[EIGHTS])
 {
@@ -128,7 +128,7 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
 
 /* ---- one against many ------------------------------------------------------------------------ */
 
-/* Of the frames of a chunk; is one UNKNOWN? */
+/* Write the verdicts of the frames of a chunk; is one UNKNOWN? */
 static bool write_row_verdicts(const chunk *c, const fmb_packed_bits *bits, fmb_verdict *out)
 {
     unsigned unknown = 0;
@@ -145,7 +145,7 @@ static bool write_row_verdicts(const chunk *c, const fmb_packed_bits *bits, fmb_
     return unknown != 0;
 }
 
-/* Those that are UNKNOWN. */
+/* Decide the UNKNOWN verdicts of a row. */
 static fmb_status decide_open_row(fmb_pair *k, const fmb_frames *a, size_t i, const fmb_frames *b,
                                   fmb_verdict *out)
 {
@@ -179,18 +179,18 @@ fmb_status fmb_frames_test_row(fmb_pair *k, const fmb_frames *a, size_t i, const
 
 /* ---- all against all ------------------------------------------------------------------------- */
 
-/* A query; told hears of it one band at a time. */
+/* A query; told is called for one band at a time. */
 typedef struct all_query {
     const fmb_frames *a, *b;
-    bool within;  /* a and b are the same: i < j alone */
+    bool within;  /* a and b are the same: only i < j */
     size_t words; /* of bits for a row */
     size_t rows;  /* of a band */
     fmb_frames_told *told;
     void *self;
-    atomic_bool over; /* told said so, or there was an error */
+    atomic_bool over; /* told returned false, or there was an error */
 } all_query;
 
-/* What is known of a band, row by row: bits by number of the second frame; and pairs to tell. */
+/* The results of a band, row by row: bits by number of the second frame; and pairs to report. */
 typedef struct band {
     fmb_pair *k;
     fmb_mem mem;
@@ -200,8 +200,8 @@ typedef struct band {
     size_t count[2], capacity[2];
 } band;
 
-/* What a row of a chunk said, of a set of one kind: its numbers are in order, and chunks begin at
- * multiples of 8. */
+/* Note the results of a row of a chunk, for a set of one kind: its numbers are in order, and chunks
+ * begin at multiples of 8. */
 static void note_bytes_of_chunk(const chunk *c, const fmb_packed_bits *bits, uint64_t *meet,
                                 uint64_t *open)
 {
@@ -215,7 +215,7 @@ static void note_bytes_of_chunk(const chunk *c, const fmb_packed_bits *bits, uin
     }
 }
 
-/* The same of any set. */
+/* Note the results of a row of a chunk, for any set. */
 static void note_bits_of_chunk(const chunk *c, const fmb_packed_bits *bits, uint64_t *meet,
                                uint64_t *open)
 {
@@ -231,7 +231,7 @@ static void note_bits_of_chunk(const chunk *c, const fmb_packed_bits *bits, uint
     }
 }
 
-/* All chunks with a frame that comes after the first of the band, if that is asked for. */
+/* Test all chunks; within one set, only those with a frame after the first of the band. */
 static void ask_band(const all_query *x, band *w)
 {
     void (*note)(const chunk *, const fmb_packed_bits *, uint64_t *, uint64_t *) =
@@ -249,14 +249,14 @@ static void ask_band(const all_query *x, band *w)
     }
 }
 
-/* Room for another word of pairs. */
+/* Make room for the pairs of another word. */
 static fmb_status make_room_for_word(band *w, bool unknown)
 {
     return fmb_mem_reserve(&w->mem, (void **)&w->found[unknown], &w->capacity[unknown],
                            w->count[unknown] + 64, sizeof(fmb_frames_pair));
 }
 
-/* Pairs of frame i with those of the second set that are open. */
+/* Decide the open pairs of frame i in one word of the second set. */
 static fmb_status decide_open_word(const all_query *x, band *w, size_t i, size_t word,
                                    uint64_t open, uint64_t *meet)
 {
@@ -274,7 +274,7 @@ static fmb_status decide_open_word(const all_query *x, band *w, size_t i, size_t
     return st;
 }
 
-/* Pairs of frame i with those of the second set that meet, and those that are open. */
+/* Note the pairs of frame i in one word of the second set that meet, and decide the open ones. */
 static fmb_status note_pairs_of_word(const all_query *x, band *w, size_t i, size_t word,
                                      uint64_t meet, uint64_t open)
 {
@@ -307,7 +307,7 @@ static fmb_status note_pairs_of_band(const all_query *x, band *w)
     return st;
 }
 
-/* The band that begins at row `first`. */
+/* Process the band that begins at row `first`. */
 static fmb_status work_on_band(const all_query *x, band *w, size_t first)
 {
     w->first = first;
@@ -391,7 +391,7 @@ static fmb_status work_on_bands_alone(all_query *x, fmb_pair *k, band *w)
     return st;
 }
 
-/* Bands are worked on side by side, and told of in their order. */
+/* Bands are processed in parallel, and reported in order. */
 static fmb_status work_on_all_bands(all_query *x, fmb_pair *k, band *w)
 {
     bands_round r = {x, k, w, FMB_OK};

@@ -15,7 +15,7 @@ enum { LINE = FMB_RECORD_LINE };
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-/* To two lines, which are fetched together. */
+/* Align to two cache lines, which are fetched together. */
 static double *align_to_lines(double *p)
 {
     return p + (2 * LINE - (uintptr_t)p / sizeof *p % (2 * LINE)) % (2 * LINE);
@@ -38,7 +38,7 @@ static fmb_status make_room_for_records(fmb_frames *s)
     return good ? FMB_OK : fmb_mem_status(&s->mem);
 }
 
-/* Room for frames as they were given, of so many numbers in all. */
+/* Allocate the copies of frames as given, with so many numbers in all. */
 static fmb_status make_room_beside(fmb_frames *s, size_t numbers)
 {
     s->given = fmb_mem_zero(&s->mem, s->n, sizeof *s->given);
@@ -87,7 +87,7 @@ static size_t count_numbers(const fmb_frame *f)
     return (size_t)f->dim * ((size_t)f->naxes + 1 + (f->speed != NULL));
 }
 
-/* Does f stand beside its record? */
+/* Is f also stored as given? */
 static bool stands_beside(const fmb_frame *f)
 {
     return f->dim < 2 || f->dim > 3 || fmb_frame_is_by_corners(f->shape);
@@ -104,7 +104,7 @@ static void write_record(const fmb_frame *f, double *to)
         memcpy(to + dim + dim * dim, f->speed, dim * sizeof *to);
 }
 
-/* Copy the numbers of f to the end of those beside, of which *used there are. */
+/* Append the numbers of f to `beside`, of which *used are in use. */
 static void copy_beside(fmb_frames *s, size_t i, const fmb_frame *f, size_t *used)
 {
     const double *const from[3] = {f->origin, f->axes, f->speed};
@@ -122,7 +122,7 @@ static void copy_beside(fmb_frames *s, size_t i, const fmb_frame *f, size_t *use
     s->given[i].speed = f->speed ? to[2] : NULL;
 }
 
-/* Write frame i of these edges to its record; its kind. */
+/* Write frame i with these edges to its record; returns its kind. */
 static int add_record(fmb_frames *s, size_t i, const fmb_frame *e)
 {
     double *to = s->record + s->stride * i;
@@ -161,7 +161,7 @@ static void order_by_kind(fmb_frames *s)
         s->order[next[s->kind[i]]++] = (uint32_t)i;
 }
 
-/* Once all frames are there. */
+/* Finish the order and bounds, after all frames were added. */
 static fmb_status put_in_order(fmb_frames *s)
 {
     order_by_kind(s);
@@ -175,7 +175,7 @@ static fmb_status put_in_order(fmb_frames *s)
     return s->bounds || s->eights == 0 ? FMB_OK : fmb_mem_status(&s->mem);
 }
 
-/* All frames were added, with that status. */
+/* Finish after adding the frames with status st. */
 static fmb_status close_set(fmb_frames *s, fmb_status st, fmb_frames **out)
 {
     FMB_THEN(st, put_in_order(s));
@@ -211,7 +211,7 @@ fmb_status fmb_frames_new(int dim, size_t n, const fmb_frame *f, const fmb_alloc
 
 /* ---- arrays ---------------------------------------------------------------------------------- */
 
-/* One part of frame i, `count` numbers a frame, as doubles at *to, which moves on behind them. */
+/* Copy one part of frame i, `count` numbers per frame, as doubles to *to, which is advanced. */
 static const double *take_part(const void *from, bool single, size_t i, size_t count, double **to)
 {
     double *at = *to;
@@ -224,7 +224,7 @@ static const double *take_part(const void *from, bool single, size_t i, size_t c
     return at;
 }
 
-/* number: room for one frame. */
+/* number: scratch for one frame. */
 static fmb_frame frame_of_arrays(int dim, const fmb_frame_arrays *a, size_t i, double *number)
 {
     size_t d = (size_t)dim;
