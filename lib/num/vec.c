@@ -1,6 +1,7 @@
 /* vec.c: vectors of integers that widen; see vec.h. */
 #include "num/vec.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "num/gcd.h"
@@ -72,6 +73,13 @@ size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i)
     if (!v->z)
         return (size_t)fmb_bits64(fmb_abs64(v->s[i]));
     return mpz_sgn(v->z[i]) == 0 ? 0 : mpz_sizeinbase(v->z[i], 2);
+}
+
+double fmb_vec_entry_double(const fmb_vec *v, size_t i, int exponent)
+{
+    long own = 0;
+    double x = v->z ? mpz_get_d_2exp(&own, v->z[i]) : (double)v->s[i];
+    return own - exponent < -1000 ? 0 : ldexp(x, (int)(own - exponent));
 }
 
 /* A column with d entries less than 2^b has a length less than sqrt(d) 2^b. */

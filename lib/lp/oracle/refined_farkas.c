@@ -15,6 +15,9 @@
  *
  * Zero multipliers cannot be recognized in this way. Their rows are left out, and the columns
  * without entries in the others: if equally many rows and columns remain, they form B.
+ *
+ * An implied row contradicts the rows that imply it once it is reversed and its right side moved:
+ * so the same bounds prove implications, apart from the case of equal right sides.
  */
 #include "lp/oracle/refined_farkas.h"
 
@@ -35,9 +38,10 @@
 #define LEAST 0x1p-1000
 
 typedef struct refinement {
-    const fmb_vertex *v;
-    size_t odd, n, size;
-    size_t *place, *column;   /* [size] places of the basis, and columns */
+    fmb_run *run;
+    const fmb_program *p;
+    size_t odd, m, n, size;
+    size_t *member, *column;  /* [size] rows of the basis, m + j: x_j = 0; and columns */
     size_t *at;               /* [n] the place of a column */
     int *exponent;            /* [size] rows are divided by 2^exponent */
     int odd_exponent, unit;   /* unit: the largest exponent */
@@ -64,25 +68,26 @@ bool fmb_refined_farkas_is_worth_it(const fmb_vertex *v)
 static fmb_status hold_arrays_of_refinement(refinement *t, bool get)
 {
     const size_t n = t->n;
-    return FMB_ARRAYS(t->v->run->mem, get, FMB_ARRAY(t->place, n), FMB_ARRAY(t->column, n),
+    return FMB_ARRAYS(t->run->mem, get, FMB_ARRAY(t->member, n), FMB_ARRAY(t->column, n),
                       FMB_ARRAY(t->at, n), FMB_ARRAY(t->exponent, n), FMB_ARRAY(t->matrix, n * n),
                       FMB_ARRAY(t->inverse, n * n), FMB_ARRAY(t->c, n), FMB_ARRAY(t->y, n),
                       FMB_ARRAY(t->rest, n), FMB_ARRAY(t->reach, n), FMB_ARRAY(t->is_nonzero, n));
 }
 
-static fmb_status open_refinement(refinement *t, const fmb_vertex *v, size_t odd)
+static fmb_status open_refinement(refinement *t, fmb_run *run, const fmb_program *p, size_t m,
+                                  size_t odd)
 {
-    *t = (refinement){.v = v, .odd = odd, .n = v->n};
+    *t = (refinement){.run = run, .p = p, .odd = odd, .m = m, .n = (size_t)p->n};
     mpz_inits(t->term, t->entry, NULL);
     FMB_TRY(hold_arrays_of_refinement(t, true));
-    FMB_TRY(fmb_integers_init(&t->multiplier, t->n, v->run->mem));
-    return fmb_integers_init(&t->left, t->n, v->run->mem);
+    FMB_TRY(fmb_integers_init(&t->multiplier, t->n, run->mem));
+    return fmb_integers_init(&t->left, t->n, run->mem);
 }
 
 static void close_refinement(refinement *t)
 {
-    fmb_integers_clear(&t->multiplier, t->v->run->mem);
-    fmb_integers_clear(&t->left, t->v->run->mem);
+    fmb_integers_clear(&t->multiplier, t->run->mem);
+    fmb_integers_clear(&t->left, t->run->mem);
     (void)hold_arrays_of_refinement(t, false);
     mpz_clears(t->term, t->entry, NULL);
 }
@@ -93,7 +98,7 @@ static void close_refinement(refinement *t)
  * two, up to a factor of 1 +- 2^-52. */
 static double split_coefficient(const refinement *t, size_t row, size_t k, int *exponent)
 {
-    const fmb_vec *v = t->v->p->row[row].value;
+    const fmb_vec *v = t->p->row[row].value;
     long e = 0;
     if (!v->z)
         return frexp((double)v->s[k], exponent);
@@ -105,7 +110,7 @@ static double split_coefficient(const refinement *t, size_t row, size_t k, int *
 static int find_row_exponent(const refinement *t, size_t row)
 {
     int most = 0, e;
-    for (size_t k = 0; k < t->v->p->row[row].size; k++) {
+    for (size_t k = 0; k < t->p->row[row].size; k++) {
         split_coefficient(t, row, k, &e);
         most = k == 0 || e > most ? e : most;
     }
@@ -115,7 +120,7 @@ static int find_row_exponent(const refinement *t, size_t row)
 /* to[size] = a row divided by 2^exponent. */
 static void write_row(const refinement *t, size_t row, int *exponent, double *to)
 {
-    const fmb_program_row *r = &t->v->p->row[row];
+    const fmb_program_row *r = &t->p->row[row];
     int e;
     *exponent = find_row_exponent(t, row);
     memset(to, 0, t->size * sizeof *to);
@@ -133,12 +138,12 @@ static void write_matrix(refinement *t)
     t->unit = t->odd_exponent;
     for (size_t s = 0; s < t->size; s++) {
         double *to = &t->matrix[s * t->size];
-        size_t r = t->place[s];
-        if (!fmb_vertex_is_unit(t->v, r)) {
-            write_row(t, t->v->basis[r], &t->exponent[s], to);
+        size_t row = t->member[s];
+        if (row < t->m) {
+            write_row(t, row, &t->exponent[s], to);
         } else {
             memset(to, 0, t->size * sizeof *to);
-            to[t->at[t->v->basis[r] - t->v->m]] = 1;
+            to[t->at[row - t->m]] = 1;
             t->exponent[s] = 0;
         }
         t->unit = t->exponent[s] > t->unit ? t->exponent[s] : t->unit;
@@ -238,63 +243,85 @@ static void multiply_by_inverse(refinement *t, const double *z)
 
 /* ---- which rows ------------------------------------------------------------------------------ */
 
-static void take_all_rows(refinement *t)
+static void take_all_rows(refinement *t, const size_t *basis)
 {
     t->size = t->n;
-    for (size_t k = 0; k < t->n; k++)
-        t->place[k] = t->column[k] = k;
+    for (size_t k = 0; k < t->n; k++) {
+        t->member[k] = basis[k];
+        t->column[k] = k;
+    }
 }
 
 static void note_columns(refinement *t, size_t row)
 {
-    const fmb_program_row *r = &t->v->p->row[row];
+    const fmb_program_row *r = &t->p->row[row];
     for (size_t k = 0; k < r->size; k++)
         t->is_nonzero[r->column[k]] = true;
+}
+
+/* Lists the columns of the rows and of the odd row. Are there as many rows as columns? */
+static bool list_columns(refinement *t)
+{
+    size_t columns = 0;
+    memset(t->is_nonzero, 0, t->n * sizeof *t->is_nonzero);
+    note_columns(t, t->odd);
+    for (size_t s = 0; s < t->size; s++)
+        note_columns(t, t->member[s]);
+    for (size_t j = 0; j < t->n; j++)
+        if (t->is_nonzero[j])
+            t->column[columns++] = j;
+    return t->size == columns && columns > 0;
 }
 
 /* Leave out rows whose multiplier, in y, seems to be 0. False: the other rows and their columns
  * differ in number, or one of these rows is a unit or off. */
 static bool keep_rows_that_count(refinement *t)
 {
-    size_t kept = 0, columns = 0;
+    size_t kept = 0;
     double most = 0;
     for (size_t s = 0; s < t->size; s++)
         most = fmax(most, fabs(t->y[s]));
-    memset(t->is_nonzero, 0, t->n * sizeof *t->is_nonzero);
-    note_columns(t, t->odd);
     for (size_t s = 0; s < t->size; s++) {
-        size_t r = t->place[s];
+        size_t row = t->member[s];
         if (!(fabs(t->y[s]) > NO_MULTIPLIER * most))
             continue;
-        if (fmb_vertex_is_loose(t->v, r))
+        if (row >= t->m || t->p->row[row].off)
             return false;
-        note_columns(t, t->v->basis[r]);
-        t->place[kept++] = r;
+        t->member[kept++] = row;
     }
-    for (size_t j = 0; j < t->n; j++)
-        if (t->is_nonzero[j])
-            t->column[columns++] = j;
     t->size = kept;
-    return kept == columns && kept > 0;
+    return list_columns(t);
 }
 
-/* B, R and c for the rows that count. */
-static fmb_status prepare_inverse(refinement *t, bool *good)
+static bool find_inverse(refinement *t)
 {
-    take_all_rows(t);
     write_matrix(t);
-    *good = invert_matrix(t);
+    return invert_matrix(t);
+}
+
+/* B, R and c for the rows of a basis that count. */
+static fmb_status prepare_basis(refinement *t, const size_t *basis, bool *good)
+{
+    take_all_rows(t, basis);
+    *good = find_inverse(t);
     if (*good) {
         multiply_by_inverse(t, t->c);
         *good = keep_rows_that_count(t);
     }
-    fmb_status st = fmb_run_poll_now(t->v->run);
-    if (st == FMB_OK && *good && t->size < t->n) {
-        write_matrix(t);
-        *good = invert_matrix(t);
-    }
+    fmb_status st = fmb_run_poll_now(t->run);
+    if (st == FMB_OK && *good && t->size < t->n)
+        *good = find_inverse(t);
     *good = *good && is_inverse_good(t);
     return st;
+}
+
+/* B, R and c for exactly these rows. */
+static bool prepare_rows(refinement *t, size_t size, const size_t *row)
+{
+    t->size = size;
+    for (size_t k = 0; k < size; k++)
+        t->member[k] = row[k];
+    return list_columns(t) && find_inverse(t) && is_inverse_good(t);
 }
 
 /* ---- corrections ----------------------------------------------------------------------------- */
@@ -302,7 +329,7 @@ static fmb_status prepare_inverse(refinement *t, bool *good)
 /* number -= part times coefficient k of a row. */
 static void subtract_coefficient(refinement *t, size_t row, size_t k, mpz_t number)
 {
-    fmb_program_get(t->v->p, row, k, t->entry);
+    fmb_program_get(t->p, row, k, t->entry);
     mpz_submul(number, t->term, t->entry);
 }
 
@@ -333,8 +360,8 @@ static void find_rest(refinement *t)
     for (size_t k = 0; k < t->size; k++)
         mpz_set_ui(t->left.z[k], 0);
     for (size_t s = 0; s <= t->size; s++) {
-        size_t row = s < t->size ? t->v->basis[t->place[s]] : t->odd;
-        const fmb_program_row *r = &t->v->p->row[row];
+        size_t row = s < t->size ? t->member[s] : t->odd;
+        const fmb_program_row *r = &t->p->row[row];
         if (s < t->size)
             take_multiplier(t, s);
         else
@@ -378,7 +405,7 @@ static bool find_common_sign(const refinement *t, double error, int *sign, bool 
     *differ = false;
     for (size_t s = 0; s < t->size && !*differ; s++) {
         double y = in_units(t->multiplier.z[s], t->places);
-        if (fmb_vertex_is_equality(t->v, t->place[s]))
+        if (t->p->row[t->member[s]].rel == FMB_EQ)
             continue;
         if (!(fabs(y) > SAFE * error)) {
             known = false;
@@ -399,48 +426,108 @@ static int find_sign_of_remainder(refinement *t, double error)
     int e;
     mpz_set_ui(sum, 0);
     for (size_t s = 0; s < t->size; s++) {
-        size_t row = t->v->basis[t->place[s]], k = t->v->p->row[row].size;
+        size_t row = t->member[s], k = t->p->row[row].size;
         take_multiplier(t, s);
         subtract_coefficient(t, row, k, sum);
         double b = split_coefficient(t, row, k, &e);
         size += b == 0 ? 0 : ldexp(fabs(b), e - t->exponent[s]);
     }
     take_odd_multiplier(t);
-    subtract_coefficient(t, t->odd, t->v->p->row[t->odd].size, sum);
+    subtract_coefficient(t, t->odd, t->p->row[t->odd].size, sum);
     double rest = in_units(sum, t->places + t->unit);
     return fabs(rest) > SAFE * SAFE * error * size + LEAST ? mpz_sgn(sum) : 0;
 }
 
 /* Multipliers of inequalities must have the sign opposite to *sign, and so must the remainder. */
-static bool is_conflict_refined(refinement *t, int *sign, bool *hopeless)
+static fmb_refined is_conflict_refined(refinement *t, int *sign)
 {
     int common, remainder;
+    bool differ;
     double error = bound_error(t);
-    if (!find_common_sign(t, error, &common, hopeless))
-        return false;
+    if (!find_common_sign(t, error, &common, &differ))
+        return differ ? FMB_REFINED_FALSE : FMB_REFINED_UNKNOWN;
     remainder = find_sign_of_remainder(t, error);
     *sign = -remainder;
     return remainder != 0 && remainder * common >= 0 &&
-           (*sign > 0 || t->v->p->row[t->odd].rel == FMB_EQ);
+                   (*sign > 0 || t->p->row[t->odd].rel == FMB_EQ)
+               ? FMB_REFINED_TRUE
+               : FMB_REFINED_UNKNOWN;
+}
+
+/* Are all right sides 0? Then the remainder is 0, too. */
+static bool is_cone(const refinement *t)
+{
+    bool cone = true;
+    for (size_t s = 0; s <= t->size && cone; s++) {
+        const fmb_program_row *r = &t->p->row[s < t->size ? t->member[s] : t->odd];
+        cone = fmb_vec_sgn(r->value, r->size) == 0;
+    }
+    return cone;
+}
+
+/* Multipliers of inequalities and the remainder must not be negative; and the remainder must be
+ * positive if the odd row is the only strict one. */
+static fmb_refined is_implication_refined(refinement *t, int *sign)
+{
+    int common, remainder;
+    bool differ, meets = t->p->row[t->odd].rel != FMB_LT;
+    double error = bound_error(t);
+    bool known = find_common_sign(t, error, &common, &differ);
+    *sign = 1;
+    if (common < 0 || differ)
+        return FMB_REFINED_FALSE;
+    if (!known)
+        return FMB_REFINED_UNKNOWN;
+    for (size_t s = 0; s < t->size; s++)
+        meets = meets || t->p->row[t->member[s]].rel == FMB_LT;
+    if (is_cone(t))
+        return meets ? FMB_REFINED_TRUE : FMB_REFINED_FALSE;
+    remainder = find_sign_of_remainder(t, error);
+    return remainder > 0   ? FMB_REFINED_TRUE
+           : remainder < 0 ? FMB_REFINED_FALSE
+                           : FMB_REFINED_UNKNOWN;
+}
+
+static fmb_status refine(refinement *t, fmb_refined (*judge)(refinement *, int *), int *sign,
+                         fmb_refined *out)
+{
+    fmb_status st = FMB_OK;
+    for (int k = 0; st == FMB_OK && *out == FMB_REFINED_UNKNOWN && k <= CORRECTIONS; k++) {
+        if (k > 0)
+            correct_multipliers(t);
+        find_rest(t);
+        *out = judge(t, sign);
+        st = fmb_integers_settle(&t->multiplier, t->run->mem);
+        FMB_THEN(st, fmb_integers_settle(&t->left, t->run->mem));
+        FMB_THEN(st, fmb_run_poll_now(t->run));
+    }
+    return st;
 }
 
 fmb_status fmb_refined_farkas(const fmb_vertex *v, size_t odd, int *sign, bool *sure)
 {
     refinement t;
-    bool good = false, hopeless = false;
-    *sure = false;
-    fmb_status st = open_refinement(&t, v, odd);
+    bool good = false;
+    fmb_refined out = FMB_REFINED_UNKNOWN;
+    fmb_status st = open_refinement(&t, v->run, v->p, v->m, odd);
     if (st == FMB_OK && !v->p->row[odd].off && !fmb_vertex_holds(v, odd))
-        st = prepare_inverse(&t, &good);
-    for (int k = 0; st == FMB_OK && good && !*sure && !hopeless && k <= CORRECTIONS; k++) {
-        if (k > 0)
-            correct_multipliers(&t);
-        find_rest(&t);
-        *sure = is_conflict_refined(&t, sign, &hopeless);
-        st = fmb_integers_settle(&t.multiplier, v->run->mem);
-        FMB_THEN(st, fmb_integers_settle(&t.left, v->run->mem));
-        FMB_THEN(st, fmb_run_poll_now(v->run));
-    }
+        st = prepare_basis(&t, v->basis, &good);
+    if (st == FMB_OK && good)
+        st = refine(&t, is_conflict_refined, sign, &out);
+    *sure = out == FMB_REFINED_TRUE;
+    close_refinement(&t);
+    return st;
+}
+
+fmb_status fmb_refined_implication(fmb_run *run, const fmb_program *p, size_t i, size_t size,
+                                   const size_t *row, fmb_refined *out)
+{
+    refinement t;
+    int sign;
+    *out = FMB_REFINED_UNKNOWN;
+    fmb_status st = open_refinement(&t, run, p, p->m, i);
+    if (st == FMB_OK && prepare_rows(&t, size, row))
+        st = refine(&t, is_implication_refined, &sign, out);
     close_refinement(&t);
     return st;
 }

@@ -1,6 +1,6 @@
 /* sorting.c: rows sorted by guesses: the oracle is asked whether there is a solution as soon as a
  * glance finds no point inside, and not where one is known. Many rows, by any number of threads,
- * are what the oracle says. */
+ * are what the oracle says, of short numbers and of long ones. */
 #include <criterion/criterion.h>
 #include <string.h>
 
@@ -246,6 +246,61 @@ Test(sorting, the_same_in_slices)
         cr_expect_arr_eq(kept[0], kept[1], sizeof *kept);
         cr_expect_eq(sort_in_slices(&c, 1 << 14, 2, &out[2]), 2);
     }
+}
+
+/* ---- long numbers ---------------------------------------------------------------------------- */
+
+/* The same rows, each times a long number and a power of two, in columns that have units of their
+ * own; digits: and then digits that doubles do not see. */
+static void lengthen_crowd(crowd *c, support_rng *g, bool digits, fmb_mem *mem)
+{
+    mpz_t z[WIDE + 1], factor, digit;
+    mp_bitcnt_t unit[WIDE + 1];
+    mpz_inits(factor, digit, NULL);
+    for (int j = 0; j <= WIDE; j++) {
+        mpz_init(z[j]);
+        unit[j] = (mp_bitcnt_t)support_between(g, 0, j < WIDE ? 9 : 60);
+    }
+    for (int i = 0; i < MANY; i++) {
+        const mp_bitcnt_t shift = (mp_bitcnt_t)support_between(g, 0, 300);
+        mpz_set_si(factor, support_between(g, 1, 1000000000));
+        mpz_pow_ui(factor, factor, (unsigned long)support_between(g, 3, 9));
+        for (int j = 0; j <= WIDE; j++) {
+            mpz_mul_si(z[j], factor, c->words[i][j]);
+            mpz_mul_2exp(z[j], z[j], shift + unit[j] + 60);
+            mpz_set_si(digit, support_between(g, -9, 9));
+            mpz_mul_2exp(digit, digit, shift);
+            if (digits)
+                mpz_add(z[j], z[j], digit);
+        }
+        cr_assert_eq(fmb_vec_set_z(&c->v[i], WIDE + 1, z, mem), FMB_OK);
+    }
+    for (int j = 0; j <= WIDE; j++)
+        mpz_clear(z[j]);
+    mpz_clears(factor, digit, NULL);
+}
+
+/* Nearly all is decided where digits do not count, and there is a point inside. */
+Test(sorting, long_rows_are_what_the_oracle_says)
+{
+    static crowd c;
+    support_rng g = {9};
+    fmb_mem mem;
+    fmb_mem_init(&mem, NULL, 0);
+    for (int i = 0; i < 6; i++) {
+        bool gone[MANY] = {0}, kept[MANY] = {0}, flat = i % 3 == 2, digits = i % 2 == 1;
+        fmb_sorting found = {.gone = gone, .kept = kept};
+        draw_crowd(&c, &g, flat);
+        lengthen_crowd(&c, &g, digits, &mem);
+        sort_crowd(&c, 1 + (size_t)i % 2, &found);
+        expect_truth(&c, &found);
+        cr_expect_eq(found.inner, !flat);
+        cr_expect(digits || flat || 8 * found.doubtful < MANY, "%d: %zu in doubt", i,
+                  found.doubtful);
+        for (int k = 0; k < MANY; k++)
+            fmb_vec_clear(&c.v[k], WIDE + 1, &mem);
+    }
+    cr_expect_eq(mem.used, 0);
 }
 
 enum { FEW_ROWS = 60 };

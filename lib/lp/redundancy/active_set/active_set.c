@@ -17,21 +17,29 @@
 static void scale_row_to_unit(fmb_scaled_rows *s, size_t i)
 {
     const fmb_vec *v = s->row[i].v;
-    s->exponent[i] = v->bits;
-    for (size_t k = 0; k < s->d; k++)
-        s->at[k * s->m + i] = ldexp((double)v->s[k], -v->bits);
+    const fmb_leading_rows *t = s->leading;
+    s->exponent[i] = t ? (int)fmb_leading_rows_bits(t, v) : v->bits;
+    for (size_t k = 0; k < s->n; k++)
+        s->at[k * s->m + i] = fmb_vec_entry_double(v, t ? t->column[k] : k, s->exponent[i]);
+    int unit = t ? (int)t->unit : 0;
+    s->at[s->n * s->m + i] = fmb_vec_entry_double(v, s->width, s->exponent[i] + unit);
 }
 
 fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
-                                const fmb_lp_row *row)
+                                const fmb_lp_row *row, const fmb_leading_rows *leading)
 {
-    *s = (fmb_scaled_rows){.n = n, .m = m, .d = n + 1, .row = row};
+    *s = (fmb_scaled_rows){
+        .n = leading ? leading->n : n, .m = m, .row = row, .leading = leading, .width = n};
+    s->d = s->n + 1;
     s->at = fmb_mem_get(mem, s->d * m, sizeof *s->at);
     s->exponent = fmb_mem_get(mem, m, sizeof *s->exponent);
     if (!s->at || !s->exponent)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < m; i++)
         scale_row_to_unit(s, i);
+    fmb_program_init(&s->sparse, mem, (int)n);
+    for (size_t i = 0; leading && i < m; i++)
+        FMB_TRY(fmb_program_add_dense(&s->sparse, row[i].v, row[i].rel));
     return FMB_OK;
 }
 
@@ -39,6 +47,8 @@ void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem)
 {
     fmb_mem_put(mem, s->at, s->d * s->m, sizeof *s->at);
     fmb_mem_put(mem, s->exponent, s->m, sizeof *s->exponent);
+    if (s->sparse.mem)
+        fmb_program_clear(&s->sparse);
 }
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -46,10 +56,11 @@ void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem)
 static fmb_status hold_arrays_of_search(fmb_active_set *s, bool get)
 {
     const size_t m = s->of->m;
-    return FMB_ARRAYS_IN_BLOCK(
-        s->run->mem, get, FMB_ARRAY_ZERO(s->gone, m), FMB_ARRAY_ZERO(s->kept, m),
-        FMB_ARRAY(s->target, s->of->d), FMB_ARRAY(s->price, m), FMB_ARRAY(s->way, s->of->n),
-        FMB_ARRAY(s->speed, m), FMB_ARRAY(s->number, m), FMB_ARRAY(s->source, m + 1));
+    return FMB_ARRAYS_IN_BLOCK(s->run->mem, get, FMB_ARRAY_ZERO(s->gone, m),
+                               FMB_ARRAY_ZERO(s->kept, m), FMB_ARRAY(s->target, s->of->d),
+                               FMB_ARRAY(s->price, m), FMB_ARRAY(s->way, s->of->n),
+                               FMB_ARRAY(s->speed, m), FMB_ARRAY(s->number, m),
+                               FMB_ARRAY(s->source, m + 1), FMB_ARRAY(s->support, s->of->d));
 }
 
 fmb_status fmb_active_set_init(fmb_active_set *s, fmb_run *run, const fmb_scaled_rows *of,
@@ -62,7 +73,8 @@ fmb_status fmb_active_set_init(fmb_active_set *s, fmb_run *run, const fmb_scaled
     FMB_TRY(hold_arrays_of_search(s, true));
     for (size_t i = 0; i < of->m; i++)
         s->number[i] = SIZE_MAX;
-    return fmb_rounded_proof_init(&s->proof, run->mem, of->d);
+    return of->leading ? fmb_combination_init(&s->combination, run->mem, of->width, of->row)
+                       : fmb_rounded_proof_init(&s->proof, run->mem, of->d);
 }
 
 void fmb_active_set_clear(fmb_active_set *s)
@@ -72,6 +84,7 @@ void fmb_active_set_clear(fmb_active_set *s)
     fmb_mem *mem = s->run->mem;
     fmb_basis_clear(&s->cone);
     fmb_rounded_proof_clear(&s->proof, mem);
+    fmb_combination_clear(&s->combination);
     (void)hold_arrays_of_search(s, false);
     fmb_mem_put(mem, s->proved, s->proved_room, sizeof *s->proved);
     s->run = NULL;
@@ -95,9 +108,60 @@ static bool round_multipliers_of_basis(fmb_active_set *s, size_t i)
     return true;
 }
 
+/* Which rows make up the least right side along the edge on which it falls. Multipliers need not
+ * meet a right side exactly: so a vertex where it counts for none is left for the next one. */
+static void let_right_side_fall(fmb_active_set *s)
+{
+    fmb_basis *b = &s->cone;
+    double most = HUGE_VAL;
+    size_t leaves = SIZE_MAX;
+    if (b->is_basic[0])
+        return;
+    fmb_basis_write(b, 0);
+    for (size_t r = 0; r < s->of->d; r++) {
+        bool bounded = b->basic[r] != SIZE_MAX && b->range[b->basic[r]] == FMB_RANGE_UP;
+        if (bounded && b->entry[r] > LEAST_PIVOT && b->value[r] < most * b->entry[r]) {
+            most = b->value[r] / b->entry[r];
+            leaves = r;
+        }
+    }
+    for (size_t r = 0; leaves < SIZE_MAX && r < s->of->d; r++)
+        b->value[r] = r == leaves ? 0 : b->value[r] - most * b->entry[r];
+}
+
+/* Is row i the combination of the rows of the basis that count? Where their multipliers cannot be
+ * told from 0, or right sides may be equal, they are solved for. */
+static fmb_status combine_rows_of_basis(fmb_active_set *s, size_t i, bool *proved)
+{
+    fmb_refined refined;
+    let_right_side_fall(s);
+    s->supports = 0;
+    for (size_t r = 0; r < s->of->d; r++) {
+        size_t g = s->cone.basic[r], j = g == SIZE_MAX ? s->of->m : s->source[g];
+        if (j < s->of->m && fabs(s->cone.value[r]) >= ROUNDING)
+            s->support[s->supports++] = j;
+    }
+    *proved = false;
+    if (s->supports > s->of->n)
+        return FMB_OK;
+    const size_t size = s->supports, limbs = (size_t)s->of->exponent[i] / 64 + 1;
+    fmb_run_count(s->run, 3000 + size * size * (2 * size + 50 + limbs));
+    FMB_TRY(fmb_refined_implication(s->run, &s->of->sparse, i, size, s->support, &refined));
+    *proved = refined == FMB_REFINED_TRUE;
+    if (refined != FMB_REFINED_UNKNOWN)
+        return FMB_OK;
+    fmb_run_count(s->run, 6 * limbs * size * size * size * (30 + limbs));
+    FMB_TRY(fmb_combine(&s->combination, s->run, i, s->support, size, proved));
+    *proved = *proved && fmb_combination_proves(&s->combination);
+    s->supports = s->combination.size;
+    memcpy(s->support, s->combination.index, s->supports * sizeof *s->support);
+    return FMB_OK;
+}
+
 static fmb_status note_proof_of_row(fmb_active_set *s, size_t i)
 {
-    size_t size = s->proof.size;
+    size_t size = s->of->leading ? s->supports : s->proof.size;
+    const size_t *index = s->of->leading ? s->support : s->proof.index;
     void *room = s->proved;
     fmb_status st =
         fmb_mem_reserve(s->run->mem, &room, &s->proved_room, s->told + 2 + size, sizeof *s->proved);
@@ -107,7 +171,7 @@ static fmb_status note_proof_of_row(fmb_active_set *s, size_t i)
     s->proved[s->told++] = i;
     s->proved[s->told++] = size;
     for (size_t k = 0; k < size; k++)
-        s->proved[s->told++] = s->proof.index[k];
+        s->proved[s->told++] = index[k];
     return FMB_OK;
 }
 
@@ -123,9 +187,14 @@ static void note_row_gone(fmb_active_set *s, size_t i)
 /* The cone says that row i is implied: prove it, and let it go. */
 static fmb_status drop_row_if_proved(fmb_active_set *s, size_t i)
 {
+    bool proved = false;
     fmb_run_count(s->run, 200 + 4 * s->of->d * s->of->d);
-    if (!round_multipliers_of_basis(s, i) ||
-        !fmb_rounded_proof_holds(&s->proof, s->of->n, s->of->row, i)) {
+    if (s->of->leading)
+        FMB_TRY(combine_rows_of_basis(s, i, &proved));
+    else
+        proved = round_multipliers_of_basis(s, i) &&
+                 fmb_rounded_proof_holds(&s->proof, s->of->n, s->of->row, i);
+    if (!proved) {
         s->doubtful++;
         return FMB_OK;
     }
@@ -149,7 +218,7 @@ fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to)
 {
     for (size_t i = from; i < to; i++) {
         for (size_t j = 0; j < s->of->n; j++)
-            s->way[j] = (double)s->of->row[i].v->s[j];
+            s->way[j] = s->of->at[j * s->of->m + i];
         (void)keep_row_hit(s);
         FMB_TRY(fmb_run_poll(s->run));
     }

@@ -2,7 +2,8 @@
  *
  * A row (a, b) is implied by others if it is a nonnegative combination of them and of (0, 1). Which
  * rows, and with which multipliers, is guessed in doubles (simplex.h), and proved in integers
- * (rounded_proof.h). Only active rows are looked at: a row that they do not imply gives a
+ * (rounded_proof.h); where numbers are long, which rows is guessed, and multipliers are solved for
+ * (combination.h). Only active rows are looked at: a row that they do not imply gives a
  * hyperplane, the row that lies farthest beyond it becomes active, and the search goes on (Clarkson
  * 1994).
  *
@@ -12,21 +13,28 @@
 #ifndef FMB_LP_ACTIVE_SET_H
 #define FMB_LP_ACTIVE_SET_H
 
-#include "lp/redundancy/active_set/interior_point.h"
+#include "lp/linalg/exact/combination.h"
+#include "lp/oracle/refined_farkas.h"
+#include "lp/redundancy/active_set/leading_rows.h"
 #include "lp/redundancy/active_set/rounded_proof.h"
 #include "lp/simplex/basis.h"
 
-/* The rows, all of them small (num/vec.h), for all searches to look at. */
+/* The rows, for all searches to look at. */
 typedef struct fmb_scaled_rows {
     size_t n, m, d; /* columns, rows, columns with the right side */
     const fmb_lp_row *row;
-    double *at;    /* [d][m] rows, scaled */
-    int *exponent; /* [m] row = 2^exponent times what is in at */
+    const fmb_leading_rows *leading; /* of long rows: they name its columns, and have its unit of
+                                        right sides. NULL: all rows are small (num/vec.h) */
+    size_t width;                    /* of the rows as they are */
+    double *at;                      /* [d][m] rows, scaled */
+    int *exponent;                   /* [m] row = 2^exponent times what is in at */
+    fmb_program sparse;              /* long rows */
 } fmb_scaled_rows;
 
-/* Errors: MEMORY, LIMIT. In any case fmb_scaled_rows_clear it. */
+/* m rows of n columns, of which leading, if there, says which are named. Errors: MEMORY, LIMIT. In
+ * any case fmb_scaled_rows_clear it. */
 fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
-                                const fmb_lp_row *row);
+                                const fmb_lp_row *row, const fmb_leading_rows *leading);
 void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem);
 
 typedef struct fmb_active_set {
@@ -40,7 +48,10 @@ typedef struct fmb_active_set {
     size_t *source; /* [m + 1] row of a generator; m: the unit vector of the right side */
     size_t generators, inactive;
     fmb_basis cone;
-    fmb_rounded_proof proof;
+    fmb_rounded_proof proof;     /* of small rows */
+    fmb_combination combination; /* of long ones */
+    size_t *support;             /* [supports], of at most d, rows that are combined */
+    size_t supports;
     size_t *proved; /* [told] each proof: row, number of rows that it names, those */
     size_t told, proved_room;
     bool pauses;     /* testing may end where a slice of the run is over, */

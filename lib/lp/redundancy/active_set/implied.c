@@ -14,6 +14,8 @@
  */
 #include "lp/redundancy/active_set/implied.h"
 
+#include <math.h>
+
 #include "base/arrays.h"
 #include "base/ways.h"
 #include "elim/tiny/tiny.h"
@@ -112,10 +114,11 @@ static fmb_status open_nonzero_columns(nonzero_columns *t, fmb_mem *mem, size_t 
 
 typedef struct fmb_paused_sorting {
     fmb_run *run;
-    nonzero_columns reduced;
+    nonzero_columns reduced;  /* of small rows */
+    fmb_leading_rows leading; /* of others */
     fmb_scaled_rows rows;
-    fmb_interior_point inside;
-    bool roomy; /* some point is strictly inside, wherever it is */
+    fmb_interior_point inside; /* of small rows */
+    bool roomy;                /* some point is strictly inside, wherever it is */
     fmb_active_set search[SEARCHES];
     size_t searches;
     size_t *open; /* [opens] rows that rays did not settle */
@@ -200,6 +203,21 @@ static fmb_status look_for_inner_point(sorting *s)
     return FMB_OK;
 }
 
+/* The same of long rows, by their leading bits. Without a solution that is known the oracle would
+ * be asked, which looks at such rows itself. */
+static fmb_status look_inside_long_rows(sorting *s)
+{
+    mpz_t scratch;
+    for (size_t i = 0; i < s->rows.m; i++)
+        if (s->rows.row[i].rel == FMB_EQ)
+            return FMB_OK;
+    mpz_init(scratch);
+    for (size_t i = 0; i < s->rows.m; i++)
+        fmb_leading_rows_add(&s->leading, s->rows.row[i].v, scratch);
+    mpz_clear(scratch);
+    return fmb_leading_rows_find_inside(&s->leading, s->run, INFINITY, &s->out->inner);
+}
+
 /* ---- by searches ----------------------------------------------------------------------------- */
 
 static fmb_status shoot_for_search(void *self, size_t k, fmb_run *run)
@@ -207,7 +225,8 @@ static fmb_status shoot_for_search(void *self, size_t k, fmb_run *run)
     sorting *s = self;
     size_t shots = s->rows.m < MOST_SHOTS ? s->rows.m : MOST_SHOTS, of = s->searches;
     fmb_active_set *search = &s->search[k];
-    FMB_TRY(fmb_active_set_init(search, run, &s->rows, s->out->inner ? &s->inside : NULL));
+    const fmb_interior_point *inside = s->rows.leading ? &s->leading.inside : &s->inside;
+    FMB_TRY(fmb_active_set_init(search, run, &s->rows, s->out->inner ? inside : NULL));
     return s->out->inner ? fmb_active_set_shoot(search, shots * k / of, shots * (k + 1) / of)
                          : FMB_OK;
 }
@@ -297,6 +316,14 @@ static fmb_status begin_searches(sorting *s)
     return FMB_OK;
 }
 
+/* Doubles do not see how long rows differ: what is undecided is in doubt. */
+static void count_doubtful_long_rows(sorting *s)
+{
+    s->out->doubtful = 0;
+    for (size_t i = 0; i < s->rows.m; i++)
+        s->out->doubtful += !s->out->gone[i] && !s->out->kept[i] && s->rows.row[i].rel != FMB_EQ;
+}
+
 /* Until all rows are tested or some search pauses. */
 static fmb_status go_on_with_searches(sorting *s, bool *paused)
 {
@@ -305,6 +332,8 @@ static fmb_status go_on_with_searches(sorting *s, bool *paused)
         *paused |= s->search[k].paused;
     for (size_t k = 0; st == FMB_OK && !*paused && k < s->searches; k++)
         hear_search(s, &s->search[k]);
+    if (s->rows.leading && !*paused)
+        count_doubtful_long_rows(s);
     return st;
 }
 
@@ -319,18 +348,21 @@ static void close_sorting(sorting *s)
         fmb_team_close(&s->team);
     if (s->inside.run)
         fmb_interior_point_clear(&s->inside);
+    if (s->leading.mem)
+        fmb_leading_rows_close(&s->leading);
     fmb_mem_put(mem, s->open, s->rows.m, sizeof *s->open);
     fmb_mem_put(mem, s->used, s->rows.m, sizeof *s->used);
     fmb_scaled_rows_clear(&s->rows, mem);
-    (void)hold_nonzero_columns(&s->reduced, false);
+    if (s->reduced.mem)
+        (void)hold_nonzero_columns(&s->reduced, false);
     fmb_mem_put(mem, s, 1, sizeof *s);
 }
 
-static fmb_status scale_rows(sorting *s)
+static fmb_status scale_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row)
 {
     fmb_mem *mem = s->run->mem;
-    size_t m = s->reduced.m;
-    fmb_status st = fmb_scaled_rows_init(&s->rows, mem, s->reduced.n, m, s->reduced.row);
+    fmb_status st =
+        fmb_scaled_rows_init(&s->rows, mem, n, m, row, s->leading.mem ? &s->leading : NULL);
     s->open = fmb_mem_get(mem, m, sizeof *s->open);
     s->used = fmb_mem_zero(mem, m, sizeof *s->used);
     return st != FMB_OK || (s->open && s->used) ? st : fmb_mem_status(mem);
@@ -339,30 +371,36 @@ static fmb_status scale_rows(sorting *s)
 /* Differences of products have to fit: see rounded_proof.c. */
 #define MOST_SORTED_COLUMNS 200
 
-/* Whether there is a solution, rays, and searches that are ready; NULL: all is said. */
-static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *row,
-                               fmb_sorting *out, sorting **opened)
+/* Whether there is a solution, and a point inside; *open: rows are open. */
+static fmb_status prepare_small_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row,
+                                     bool *open)
 {
-    sorting *s;
-    FMB_TRY(FMB_GET_ZERO(run->mem, s, 1));
-    s->run = run;
-    s->out = out;
-    fmb_status st = open_nonzero_columns(&s->reduced, run->mem, (size_t)n, m, row);
-    bool told = st == FMB_OK && settle_at_sight(&s->reduced, out);
-    bool narrow = st == FMB_OK && !told && s->reduced.n <= MOST_SORTED_COLUMNS;
+    fmb_sorting *out = s->out;
+    const nonzero_columns *t = &s->reduced;
+    FMB_TRY(open_nonzero_columns(&s->reduced, s->run->mem, n, m, row));
+    bool told = settle_at_sight(t, out), narrow = !told && t->n <= MOST_SORTED_COLUMNS;
     out->doubtful = narrow || told ? 0 : m;
-    if (narrow)
-        st = scale_rows(s);
-    if (st == FMB_OK && narrow)
-        st = look_for_inner_point(s);
-    bool open = st == FMB_OK && narrow && out->feasible && out->tight == 0;
-    if (open)
-        st = begin_searches(s);
-    if (open && st == FMB_OK)
-        *opened = s;
-    else
-        close_sorting(s);
-    return st;
+    if (!narrow)
+        return FMB_OK;
+    FMB_TRY(scale_rows(s, t->n, m, t->row));
+    FMB_TRY(look_for_inner_point(s));
+    *open = out->feasible && out->tight == 0;
+    return FMB_OK;
+}
+
+static fmb_status prepare_long_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row,
+                                    bool *open)
+{
+    fmb_leading_rows *t = &s->leading;
+    FMB_TRY(fmb_leading_rows_open(t, s->run->mem, n, m));
+    fmb_leading_rows_measure(t, n, m, row);
+    if (t->n > MOST_SORTED_COLUMNS)
+        return FMB_OK;
+    FMB_TRY(scale_rows(s, n, m, row));
+    FMB_TRY(look_inside_long_rows(s));
+    *open = s->out->known || s->out->inner;
+    s->out->doubtful = *open ? 0 : m;
+    return FMB_OK;
 }
 
 static bool are_rows_small(size_t m, const fmb_lp_row *row)
@@ -371,6 +409,26 @@ static bool are_rows_small(size_t m, const fmb_lp_row *row)
         if (row[i].v->z)
             return false;
     return true;
+}
+
+/* Whether there is a solution, rays, and searches that are ready; NULL: all is said. */
+static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *row,
+                               fmb_sorting *out, sorting **opened)
+{
+    sorting *s;
+    bool open = false;
+    FMB_TRY(FMB_GET_ZERO(run->mem, s, 1));
+    s->run = run;
+    s->out = out;
+    fmb_status st = are_rows_small(m, row) ? prepare_small_rows(s, (size_t)n, m, row, &open)
+                                           : prepare_long_rows(s, (size_t)n, m, row, &open);
+    if (open && st == FMB_OK)
+        st = begin_searches(s);
+    if (open && st == FMB_OK)
+        *opened = s;
+    else
+        close_sorting(s);
+    return st;
 }
 
 fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row, fmb_sorting *out)
@@ -383,7 +441,7 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
         out->tight = 0;
         out->feasible = true;
         out->doubtful = m;
-        if (!are_rows_small(m, row) || !fmb_way(FMB_WAY_ACTIVE_SET))
+        if (!fmb_way(FMB_WAY_ACTIVE_SET))
             return FMB_OK;
         fmb_run_count(run, m * (100 + 8 * (size_t)n));
         st = open_sorting(run, n, m, row, out, &s);

@@ -18,13 +18,15 @@ typedef struct fmb_sorting {
         *paused;     /* in: NULL at first; out: it did so, and nothing is told yet */
     bool feasible;   /* false if there is none, and nothing else was found out */
     bool inner;      /* some point is strictly inside all rows */
-    size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
+    size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found; of
+                        numbers beyond 62 bits all that are undecided */
 } fmb_sorting;
 
 /* Sort out rows. Each that goes is proved by multipliers over rows that are still there; each that
- * is kept by a ray that leaves through it alone. Others stay undecided, all of them if some number
- * is beyond 62 bits. Where it paused, the next call with the same rows goes on from there.
- * Errors: MEMORY, LIMIT; after which it is not paused. */
+ * is kept by a ray that leaves through it alone. Others stay undecided: all of them if some number
+ * is beyond 62 bits, and no solution is known, nor one found strictly inside. Where it paused, the
+ * next call with the same rows goes on from there. Errors: MEMORY, LIMIT; after which it is not
+ * paused. */
 fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row, fmb_sorting *out);
 /* Give up where it paused, if it did. */
 void fmb_lp_sorting_clear(fmb_sorting *s);

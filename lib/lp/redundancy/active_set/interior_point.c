@@ -176,17 +176,17 @@ double fmb_interior_point_most_work(const fmb_interior_point *p)
 /* The slack of row a + d is the one of a, less UNIT d.x, where |d.x| < |x_1| + ... unless x is 0;
  * and less UNIT and less where the right side differs, too. The coordinates are multiples of
  * 1 / UNIT: there is no rounding. */
-static int64_t slack_between_near_rows(const fmb_interior_point *p, bool near_right)
+static int64_t slack_between_near_rows(const fmb_interior_point *p)
 {
-    double size = near_right ? 1 : 0;
+    double size = p->near_right ? 1 : 0;
     for (size_t j = 0; j < p->n; j++)
         size += fabs(p->x[j]);
     return (int64_t)(UNIT * size);
 }
 
-bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, bool near_right)
+bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p)
 {
-    int64_t least = slack_between_near_rows(p, near_right);
+    int64_t least = slack_between_near_rows(p);
     for (size_t i = 0; i < p->m; i++)
         if (p->slack[i] < least)
             return false;
@@ -216,36 +216,12 @@ static double find_speeds_of_ray(const fmb_interior_point *p, const double *way,
     return own;
 }
 
-size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, const bool *gone,
-                                double *speed)
-{
-    size_t first = SIZE_MAX;
-    int64_t slack = 1, fast = 0; /* of the first; none: slack / fast is infinite */
-    bool tie = false;
-    if (find_speeds_of_ray(p, way, speed) == 0)
-        return SIZE_MAX;
-    for (size_t i = 0; i < p->m; i++) {
-        if (gone[i] || speed[i] <= 0)
-            continue;
-        int64_t mine = (int64_t)speed[i];
-        int later =
-            fmb_i128_compare(fmb_i128_product(p->slack[i], fast), fmb_i128_product(slack, mine));
-        tie = later == 0 || (tie && later > 0);
-        if (later < 0) {
-            first = i;
-            slack = p->slack[i];
-            fast = mine;
-        }
-    }
-    return tie ? SIZE_MAX : first;
-}
-
-static size_t guess_first_row(const fmb_interior_point *p, const double *speed)
+static size_t guess_first_row(const fmb_interior_point *p, const bool *gone, const double *speed)
 {
     size_t first = SIZE_MAX;
     double soonest = HUGE_VAL;
     for (size_t i = 0; i < p->m; i++)
-        if (speed[i] > 0 && (double)p->slack[i] < soonest * speed[i]) {
+        if (speed[i] > 0 && (double)p->slack[i] < soonest * speed[i] && !(gone && gone[i])) {
             soonest = (double)p->slack[i] / speed[i];
             first = i;
         }
@@ -253,18 +229,18 @@ static size_t guess_first_row(const fmb_interior_point *p, const double *speed)
 }
 
 /* Along d the speed towards row a + c differs by less than |d_1| + ... from that towards a. */
-size_t fmb_interior_point_shoot_at_near_rows(const fmb_interior_point *p, const double *way,
-                                             double *speed, bool near_right)
+size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, const bool *gone,
+                                double *speed)
 {
     int64_t own = (int64_t)find_speeds_of_ray(p, way, speed);
-    int64_t near = slack_between_near_rows(p, near_right);
-    size_t first = own > 0 ? guess_first_row(p, speed) : SIZE_MAX;
-    int64_t least_speed = first < SIZE_MAX ? (int64_t)speed[first] - own : 0;
+    size_t first = own > 0 ? guess_first_row(p, gone, speed) : SIZE_MAX;
+    int64_t apart = p->near ? own : 0, near = p->near ? slack_between_near_rows(p) : 0;
+    int64_t least_speed = first < SIZE_MAX ? (int64_t)speed[first] - apart : 0;
     if (least_speed <= 0)
         return SIZE_MAX;
     for (size_t i = 0; i < p->m; i++) {
-        int64_t fast = (int64_t)speed[i] + own;
-        if (i != first && fast > 0 &&
+        int64_t fast = (int64_t)speed[i] + apart;
+        if (i != first && fast > 0 && !(gone && gone[i]) &&
             fmb_i128_compare(fmb_i128_product(p->slack[first] + near, fast),
                              fmb_i128_product(p->slack[i] - near, least_speed)) >= 0)
             return SIZE_MAX;

@@ -9,11 +9,13 @@ typedef struct fmb_interior_point {
     fmb_run *run;
     size_t n, m;
     const fmb_lp_row *row;
-    double *x;      /* [n] the point, exactly */
-    int64_t *slack; /* [m] UNIT (b - a.x) > 0 */
-    double *unit;   /* [n + 1][m] column by column, rows by their lengths |a|; the last is -b */
-    double *entry;  /* [n][m] column by column, as they are */
-    double *excess; /* [m] scratch: how far x is beyond each row */
+    double *x;       /* [n] the point, exactly */
+    int64_t *slack;  /* [m] UNIT (b - a.x) > 0 */
+    double *unit;    /* [n + 1][m] column by column, rows by their lengths |a|; the last is -b */
+    double *entry;   /* [n][m] column by column, as they are */
+    double *excess;  /* [m] scratch: how far x is beyond each row */
+    bool near;       /* rows near those are meant: coefficients differ by less than 1 each, */
+    bool near_right; /* and right sides do so, too; else they are the same */
 } fmb_interior_point;
 
 /* *possible false: there are equalities, or the numbers are too large. Errors: MEMORY. In any case
@@ -26,17 +28,13 @@ fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found);
 fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found);
 /* Work (trace/run.h) that a search takes which is no glance, at most. */
 double fmb_interior_point_most_work(const fmb_interior_point *p);
-/* Rows near those: coefficients differ by less than 1 each, and right sides do so, too, or are the
- * same. Is the point found strictly inside all of such? False: that is not certain. */
-bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p, bool near_right);
-/* The row that a ray in direction way[n] (roughly) meets before any other, whatever rows near those
- * are meant, which see the point. SIZE_MAX: not certain. speed[m]: scratch. */
-size_t fmb_interior_point_shoot_at_near_rows(const fmb_interior_point *p, const double *way,
-                                             double *speed, bool near_right);
+/* Is the point found strictly inside all rows near those? False: that is not certain. */
+bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p);
 void fmb_interior_point_clear(fmb_interior_point *p);
-/* The row among those not gone that a ray from the point in direction way[n] (roughly) meets before
- * any other: it is irredundant. SIZE_MAX: it meets several at once, or none. speed[m]: scratch.
- * Exact. */
+/* The row among those not gone (NULL: all) that a ray from the point in direction way[n] (roughly)
+ * meets before any other, whatever rows near those are meant, which see the point: it is
+ * irredundant. SIZE_MAX: it meets several at once, or none, or that is not certain. speed[m]:
+ * scratch. Exact. */
 size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, const bool *gone,
                                 double *speed);
 

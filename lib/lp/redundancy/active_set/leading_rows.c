@@ -63,8 +63,7 @@ static int64_t leading_bits(const fmb_vec *a, size_t j, size_t down, mpz_t scrat
     return mpz_get_si(scratch);
 }
 
-/* Of its coefficients, and of the right side in its unit, the longest. */
-static size_t most_bits_of_row(const fmb_leading_rows *t, const fmb_vec *a)
+size_t fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a)
 {
     size_t right = t->right < SIZE_MAX ? fmb_vec_entry_bits(a, t->right) : 0;
     size_t bits = right > t->unit ? right - t->unit : 0;
@@ -78,7 +77,7 @@ static size_t most_bits_of_row(const fmb_leading_rows *t, const fmb_vec *a)
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch)
 {
     int64_t *value = &t->entry[t->m * (t->n + 1)];
-    size_t bits = most_bits_of_row(t, a), down = bits > LEADING_BITS ? bits - LEADING_BITS : 0;
+    size_t bits = fmb_leading_rows_bits(t, a), down = bits > LEADING_BITS ? bits - LEADING_BITS : 0;
     for (size_t k = 0; k < t->n; k++)
         value[k] = leading_bits(a, t->column[k], down, scratch);
     value[t->n] = t->right < SIZE_MAX ? leading_bits(a, t->right, down + t->unit, scratch) : 0;
@@ -100,8 +99,10 @@ fmb_status fmb_leading_rows_find_inside(fmb_leading_rows *t, fmb_run *run, doubl
         st = fmb_interior_point_find_quickly(p, found);
     if (st == FMB_OK && possible && !*found && fmb_interior_point_most_work(p) <= patience)
         st = fmb_interior_point_find(p, found);
-    if (st == FMB_OK && *found && t->rough)
-        *found = fmb_interior_point_sees_near_rows(p, t->right < SIZE_MAX);
+    p->near = t->rough;
+    p->near_right = t->right < SIZE_MAX;
+    if (st == FMB_OK && *found && p->near)
+        *found = fmb_interior_point_sees_near_rows(p);
     return st;
 }
 
@@ -111,8 +112,7 @@ fmb_status fmb_leading_rows_shoot(fmb_leading_rows *t, bool *hit)
     for (size_t i = 0; i < t->m; i++) {
         for (size_t k = 0; k < t->n; k++)
             t->way[k] = (double)t->v[i].s[k];
-        size_t first = fmb_interior_point_shoot_at_near_rows(&t->inside, t->way, t->speed,
-                                                             t->right < SIZE_MAX);
+        size_t first = fmb_interior_point_shoot(&t->inside, t->way, NULL, t->speed);
         if (first < SIZE_MAX)
             hit[first] = true;
         fmb_run_count(t->inside.run, t->m * (2 + t->n / 4));

@@ -33,6 +33,8 @@ fmb_status fmb_leading_rows_open(fmb_leading_rows *t, fmb_mem *mem, size_t most_
 void fmb_leading_rows_close(fmb_leading_rows *t);
 /* Fill them in for m rows of n columns and a right side: the columns that some of them names. */
 void fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row);
+/* Of a row's coefficients, and of its right side in the unit, the longest has so many bits. */
+size_t fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a);
 /* a.x <= b or a.x < b. */
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch);
 /* Is there a point strictly inside? A glance is taken, and a search if that takes no more work

@@ -55,16 +55,6 @@ void fmb_polar_points_clear(fmb_polar_points *p)
 
 /* ---- rows in doubles ------------------------------------------------------------------------- */
 
-/* Entry j of a row, times 2^-exponent. */
-static double scaled_entry(const fmb_vec *v, size_t j, int exponent)
-{
-    long own = 0;
-    if (!v->z)
-        return ldexp((double)v->s[j], -exponent);
-    double a = mpz_get_d_2exp(&own, v->z[j]);
-    return own - exponent < -1000 ? 0 : ldexp(a, (int)(own - exponent));
-}
-
 /* The least e with |entry| < 2^e for all coefficients. */
 static int coefficient_bits(const fmb_polar_points *p, size_t i)
 {
@@ -84,8 +74,8 @@ static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
     for (size_t i = 0; i < p->m; i++) {
         int bits = coefficient_bits(p, i);
         for (size_t k = 0; k < p->d; k++)
-            c->at[k * c->m + i] = scaled_entry(p->row[i].v, p->column[k], bits);
-        c->right[i] = scaled_entry(p->row[i].v, p->n, bits);
+            c->at[k * c->m + i] = fmb_vec_entry_double(p->row[i].v, p->column[k], bits);
+        c->right[i] = fmb_vec_entry_double(p->row[i].v, p->n, bits);
     }
     for (size_t k = 0; k < p->d; k++) {
         double most = 0;
@@ -184,7 +174,7 @@ static bool see_rows(fmb_polar_points *p)
         int bits = coefficient_bits(p, i);
         double square = 0, inverse = inverse_slack(p, i, bits, slack, t);
         for (size_t k = 0; k < p->d; k++) {
-            double a = scaled_entry(p->row[i].v, p->column[k], bits);
+            double a = fmb_vec_entry_double(p->row[i].v, p->column[k], bits);
             inside &= a != 0 || fmb_vec_sgn(p->row[i].v, p->column[k]) == 0;
             a = ldexp(a, -p->exponent[k]) * inverse;
             p->point_at[k * p->m + i] = a;
