@@ -1,4 +1,4 @@
-/* bar.h: how far a long run is: a bar on a terminal, nothing elsewhere. */
+/* bar.h: a progress bar for long runs, shown on a terminal only. */
 #ifndef APP_BAR_H
 #define APP_BAR_H
 
@@ -11,7 +11,7 @@ typedef struct app_bar {
 } app_bar;
 
 app_bar app_bar_begin(bool quiet);
-/* So much of all is done, of the part of that name (or NULL). Drawn now and then. */
+/* Show that `done` of `all` is done, in the part of that name (or NULL). Drawn now and then. */
 void app_bar_show(app_bar *b, uint64_t done, uint64_t all, const char *name);
 /* Erase it. */
 void app_bar_end(const app_bar *b);

@@ -10,7 +10,7 @@ typedef struct app_buffer {
     size_t size, room;
 } app_buffer;
 
-/* Where `more` bytes and a NUL may be written; what was is added to size by the caller. */
+/* Returns a place for `more` bytes and a NUL; the caller adds the bytes written to size. */
 char *app_buffer_reserve(app_buffer *b, size_t more);
 void app_buffer_put(app_buffer *b, const char *text);
 

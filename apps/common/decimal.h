@@ -1,4 +1,4 @@
-/* decimal.h: exact numbers as decimals, where a command line asks for that. */
+/* decimal.h: exact numbers as decimals, if the command line requests it. */
 #ifndef APP_DECIMAL_H
 #define APP_DECIMAL_H
 
@@ -6,12 +6,12 @@
 #include <gmp.h>
 #include <stdbool.h>
 
-/* Where a number goes that is no decimal of so few digits: to the nearest one, a tie to the even
- * one; or the ends of intervals outward. */
+/* How a number that has more digits is rounded: to the nearest decimal, ties to even; or outward,
+ * for ends of intervals. */
 typedef enum app_rounding { APP_NEAREST = 0, APP_DOWN, APP_UP } app_rounding;
 
-/* Parser of --decimal[=N], to be a child of a command's own; its input is an int: the significant
- * digits, or 0, as it was, where it is not given. */
+/* Parser of --decimal[=N], a child of a command's parser; its input is an int: the significant
+ * digits; if the option is not given, it stays as it was, 0. */
 extern const struct argp app_decimal_argp;
 
 /* [give, free()] q, in lowest terms, as a decimal of that many significant digits, and of more
@@ -19,7 +19,7 @@ extern const struct argp app_decimal_argp;
  * writes doubles, with an exponent below 10^-4 and from 10^15 on. *exact: nothing was rounded. */
 char *app_decimal(mpq_srcptr q, int digits, app_rounding way, bool *exact);
 
-/* [give, free()] "1/3" where digits is 0; else the decimal, behind a '~' if it was rounded. */
+/* [give, free()] "1/3" if digits is 0; else the decimal, preceded by '~' if it was rounded. */
 char *app_number(mpq_srcptr q, int digits, app_rounding way);
 
 #endif

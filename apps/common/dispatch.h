@@ -13,15 +13,15 @@ typedef struct app_command {
 
 typedef struct app_program {
     char *name;
-    const char *word, *heading; /* what a subcommand is called: "command", "Commands" */
-    const char *args, *doc;     /* as argp takes them; the table stands after doc's first part */
+    const char *word, *heading; /* the terms for a subcommand: "command", "Commands" */
+    const char *args, *doc;     /* as for argp; the table comes after the first part of doc */
     const app_command *command;
     size_t commands;
-    const app_command *otherwise; /* what options without a subcommand mean, or NULL */
+    const app_command *otherwise; /* run for options without a subcommand, or NULL */
 } app_program;
 
-/* Run the subcommand that the command line names, with the options before it as well as those
- * behind. Does not return after a mistake. */
+/* Run the subcommand that the command line names, with the options before and after it. Does not
+ * return after an error. */
 int app_dispatch(const app_program *p, int argc, char **argv);
 
 #endif

@@ -1,5 +1,4 @@
-/* exit_code.h: what the exit code of every command means. The numbers from 64 on are those of
- * <sysexits.h>. */
+/* exit_code.h: the exit codes of all commands. The numbers from 64 on are those of <sysexits.h>. */
 #ifndef APP_EXIT_CODE_H
 #define APP_EXIT_CODE_H
 
@@ -14,7 +13,7 @@ enum app_exit_code {
     APP_CANNOT_WRITE = 74 /* a full disk, a missing folder */
 };
 
-/* The first of two exit codes that says something. */
+/* The first of two exit codes that is not APP_YES. */
 static inline int app_first_code(int a, int b)
 {
     return a != APP_YES ? a : b;

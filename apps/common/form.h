@@ -4,8 +4,8 @@
 
 #include <fmb/io.h>
 
-/* Make what the option ("--max") says, "3x + 2y", the objective of s: APP_YES, or APP_USAGE after a
- * message that shows where it goes wrong. */
+/* Make the text of the option ("--max"), "3x + 2y", the objective of s: APP_YES, or APP_USAGE after
+ * a message that shows the place of the error. */
 int app_form_read(const char *option, const char *text, fmb_sense sense, fmb_system *s);
 
 #endif

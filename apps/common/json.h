@@ -11,10 +11,10 @@ void app_json_append(json_t *array, json_t *value);
 json_t *app_json_text(const char *raw);
 /* A number; null if it is not finite. */
 json_t *app_json_real(double x);
-/* Print {"verdict": "unknown", "stop": "bytes"}: what was to be asked about took too much memory.
+/* Print {"verdict": "unknown", "stop": "bytes"}: reading the input took too much memory.
  */
 void app_json_print_unread(void);
-/* Print obj to standard output and give it up. */
+/* Print obj to standard output and release it. */
 void app_json_print(json_t *obj);
 
 #endif

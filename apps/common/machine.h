@@ -1,6 +1,6 @@
-/* machine.h: what a measurement was made on and with, as a paper would cite it. Sources: Linux's
- * /proc/cpuinfo, /etc/os-release, uname(2), sysconf(3), getloadavg(3). "unknown" or 0 where these
- * say nothing. */
+/* machine.h: the hardware and software of a measurement, as a paper would cite them. Sources:
+ * Linux's /proc/cpuinfo, /etc/os-release, uname(2), sysconf(3), getloadavg(3). "unknown" or 0 if
+ * these give no value. */
 #ifndef APP_MACHINE_H
 #define APP_MACHINE_H
 

@@ -1,12 +1,12 @@
-/* module.h: what few runs need, and what loads libraries of its own, is a module: it is loaded when
- * it is asked for.
+/* module.h: modules: code that few runs need and that depends on further libraries is loaded on
+ * demand.
  */
 #ifndef APP_MODULE_H
 #define APP_MODULE_H
 
-/* The table or function of that name in the module NAME.so, which lies beside the programs, as they
- * are built, or where it was installed. What it loads in turn is seen by others. NULL: there is
- * none, as dlerror says. */
+/* The table or function with that symbol in the module NAME.so, which is beside the programs where
+ * they are built, or where it was installed. Libraries that it loads are visible to others. NULL:
+ * there is none; see dlerror. */
 void *app_module_symbol(const char *name, const char *symbol);
 
 #endif

@@ -1,4 +1,4 @@
-/* nearest.h: "did you mean ...?" for a word that nobody knows. */
+/* nearest.h: "did you mean ...?" for unknown words. */
 #ifndef APP_NEAREST_H
 #define APP_NEAREST_H
 
@@ -15,7 +15,7 @@ typedef struct app_nearest {
 
 app_nearest app_nearest_to(const char *word);
 
-/* Look at one more candidate; it must live as long as the search. */
+/* Try one more candidate; it must live as long as the search. */
 void app_nearest_try(app_nearest *n, const char *candidate);
 
 /* "; did you mean 'BEST'?", or "" if nothing is near. Returns hint. */

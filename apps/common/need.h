@@ -2,9 +2,9 @@
 #ifndef APP_NEED_H
 #define APP_NEED_H
 
-/* A pointer that must not be NULL: else says so and exits with APP_INTERNAL. */
+/* Returns p; if it is NULL, exits with APP_INTERNAL after a message. */
 void *app_need(void *p);
-/* From here on the same where GMP gets no memory for a number: by itself it would abort. */
+/* From here on do the same when GMP gets no memory for a number, instead of aborting. */
 void app_need_limbs(void);
 
 #endif

@@ -6,13 +6,13 @@
 
 #include <argp.h>
 
-/* argp_parse, with three things more: errors are told in JSON from here on if --json, without a
+/* argp_parse with three additions: errors are reported in JSON from here on if --json, without a
  * value, is among the options; an unknown long option ends the program with APP_USAGE and the name
- * nearest to it; the one word --list-options prints a line for each option and ends it:
+ * nearest to it; the single word --list-options prints a line for each option and ends the program:
  *
  *     --name TAB short letter or nothing TAB what it takes or nothing TAB meaning
  *
- * What may be left out stands in brackets.
+ * An optional value is in brackets.
  */
 void app_options_parse(const struct argp *argp, int argc, char **argv, void *input);
 

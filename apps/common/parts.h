@@ -1,4 +1,4 @@
-/* parts.h: the JSON that the shards of one run left, each with "shard": [I, N]. */
+/* parts.h: the JSON files written by the shards of one run, each with "shard": [I, N]. */
 #ifndef APP_PARTS_H
 #define APP_PARTS_H
 
@@ -8,7 +8,7 @@
 
 enum { APP_MOST_SHARDS = 1000000 };
 
-/* I/N, as --shard takes it; exits after a mistake. */
+/* Parse I/N, the value of --shard; exits after an error. */
 void app_shard_parse(const char *text, uint64_t *shard, uint64_t *shards, struct argp_state *state);
 
 /* [give, app_parts_free] Read the files, n of them: all N shards of a run, each once, which agree

@@ -1,5 +1,5 @@
-/* ranks_module.h: what knows MPI, for ranks.c alone: a module that is loaded where mpirun has
- * started the program. So nothing needs MPI to be there, nor waits for it to be loaded.
+/* ranks_module.h: the interface to MPI, for ranks.c only: a module that is loaded if mpirun has
+ * started the program. So other runs neither need MPI nor wait for it to be loaded.
  */
 #ifndef APP_RANKS_MODULE_H
 #define APP_RANKS_MODULE_H
@@ -8,9 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* All but take are called by all ranks alike, or by rank 0 and the one that it receives from. */
+/* All but take are called by all ranks, or by rank 0 and the rank that it receives from. */
 typedef struct app_ranks_module {
-    /* false: this MPI does not bear threads. */
+    /* false: this MPI does not support threads. */
     bool (*begin)(size_t counters, int *rank, int *ranks);
     void (*end)(void);
     void (*abort)(int code);

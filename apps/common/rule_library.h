@@ -1,4 +1,4 @@
-/* rule_library.h: pruning rules and orders of somebody else's, from a shared object that exports
+/* rule_library.h: external pruning rules and orders, from a shared object that exports
  * fmb_rule_library, fmb_chooser_library or both (fmb/rule.h). */
 #ifndef APP_RULE_LIBRARY_H
 #define APP_RULE_LIBRARY_H
@@ -14,8 +14,8 @@ typedef struct app_rule_library {
     const fmb_named_chooser *const *chooser; /* the same */
 } app_rule_library;
 
-/* [give, app_rule_library_close] APP_YES, or an exit code after a message. Rules and orders have
- * names of their own. */
+/* [give, app_rule_library_close] APP_YES, or an exit code after a message. Names of rules and
+ * orders must be new. */
 int app_rule_library_open(const char *path, app_rule_library *out);
 void app_rule_library_close(app_rule_library *l);
 
@@ -33,8 +33,8 @@ typedef struct app_rule_set {
     const fmb_rule *added[APP_MOST_ADDED + 1]; /* NULL ends them */
 } app_rule_set;
 
-/* Which words of a set ("mine,kohler"; NULL: the choice of the library and all of l) are rules of
- * l. APP_USAGE, after a message, if there are more than a set can hold. */
+/* Split a set ("mine,kohler"; NULL: the default rules and all of l) into rules of l and words for
+ * options.rules. APP_USAGE, after a message, if there are more than a set can hold. */
 int app_rule_library_split(const app_rule_library *l, const char *set, app_rule_set *out);
 
 /* Add the rules of a set to a solver. Errors: RULE. */

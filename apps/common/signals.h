@@ -1,4 +1,4 @@
-/* signals.h: Ctrl-C, a polite kill, a terminal that is closed, processor time that is used up. */
+/* signals.h: the signals of Ctrl-C, kill, a closed terminal, and a limit of processor time. */
 #ifndef APP_SIGNALS_H
 #define APP_SIGNALS_H
 
@@ -7,8 +7,8 @@
 /* SIGINT, SIGTERM, SIGHUP and SIGXCPU. */
 void app_signals_fill(sigset_t *set);
 
-/* What they call. A handler is called once: a second signal ends the program, as one
- * does with SIG_DFL. Calls of the system go on after it. */
+/* Set their handler. It is called once: a second signal ends the program, as does one with SIG_DFL.
+ * System calls are restarted after it. */
 void app_signals_set(void (*handler)(int));
 
 #endif

@@ -1,4 +1,4 @@
-/* source.h: the FILE every command reads its system from. */
+/* source.h: the FILE from which a command reads its system. */
 #ifndef APP_SOURCE_H
 #define APP_SOURCE_H
 
@@ -21,26 +21,26 @@ extern const struct argp app_source_argp;
  * standard error. */
 int app_source_read(const app_source *src, fmb_system **out);
 
-/* Are some variables of what was read integer? */
+/* Has the system integer variables? */
 bool app_source_has_integers(const fmb_system *s);
 
-/* Is FILE an SMT-LIB script, as --format or its name tell? */
+/* Is FILE an SMT-LIB script, by --format or its name? */
 bool app_source_is_script(const app_source *src);
-/* [give, fmb_script_free] Such a script; src lives as long. */
+/* [give, fmb_script_free] Read such a script; src must outlive it. */
 int app_source_read_script(app_source *src, fmb_script **out);
 
-/* [give] The same of a system or a V-representation: one of both, the other is NULL. */
+/* [give] Read a system or a V-representation: the other one becomes NULL. */
 int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_generators **g);
-/* [give, fmb_system_free] The graph of a map over s (<fmb/lift.h>). */
+/* [give, fmb_system_free] Read the graph of a map over s (<fmb/lift.h>). */
 int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system **out);
 
-/* How src is read; src hears of warnings, and lives as long. */
+/* The reader for src, which reports warnings through src; src must outlive it. */
 fmb_reader app_source_reader(app_source *src);
-/* [give, fmb_permutations_free] Symmetries of s, of which keep[n] are kept, from that file. */
+/* [give, fmb_permutations_free] Read symmetries of s, of which keep[n] are kept, from that file. */
 int app_source_read_symmetries(const app_source *src, const char *file, const fmb_system *s,
                                const int *keep, int n, fmb_permutations **out);
 
-/* What a file may hold. */
+/* The kinds of contents of a file. */
 typedef enum app_kind {
     APP_KIND_UNKNOWN = 0,
     APP_KIND_SYSTEM,
@@ -48,19 +48,18 @@ typedef enum app_kind {
     APP_KIND_MESH
 } app_kind;
 
-/* What does a file hold that could not be read? A program that reads more than systems sets it, so
- * that a message says which command a file is for; else NULL. */
+/* Finds the kind of a file that could not be read. Set by a program that reads more than systems,
+ * so that a message says which command the file is for; else NULL. */
 extern app_kind (*app_source_kind)(const char *path);
 
-/* The exit code for what a reader of the library returned, after a message unless it is FMB_OK. */
+/* The exit code for the status of a library reader, after a message unless it is FMB_OK. */
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where);
-/* The same of a reader of something else than systems. */
+/* Like the function above, for a reader of another kind of file. */
 int app_source_outcome_of(app_kind wanted, fmb_status st, const char *path, const fmb_where *where);
-/* FMB_ERR_PARSE, of a file that should have pairs of frames, and has none. */
+/* Returns FMB_ERR_PARSE, for a file that should have pairs of frames, and has none. */
 fmb_status app_source_without_pairs(fmb_where *where);
 
-/* The format FILE is in, as far as --format or its name tell, made one that can be written:
- * FMB_FORMAT_TEXT for all others. */
+/* The format of FILE by --format or its name, if it can be written; else FMB_FORMAT_TEXT. */
 fmb_format app_source_written(const app_source *src);
 
 /* Write s to standard output; an exit code. */
@@ -68,7 +67,7 @@ int app_source_write(const fmb_system *s, fmb_format f);
 
 /* Words of --to, as its value and in messages. */
 #define APP_FORMATS_TO "fmb|ine|smt2|mps|lp"
-/* A format word of the command line that can be written (--to); false if it cannot. */
+/* Parse the value of --to; false if the format is unknown or cannot be written. */
 bool app_format_to(const char *word, fmb_format *out);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "common/buffer.h"
 
-/* Where a cell ends in the text of all cells, and how wide it is. */
+/* The end of a cell in the text of all cells, and its width. */
 typedef struct app_cell {
     size_t end, width;
 } app_cell;
@@ -19,12 +19,12 @@ typedef struct app_table {
     const char *align;
     app_cell *cell; /* row by row */
     size_t cells, capacity;
-    app_buffer text; /* of all cells, one behind the other */
+    app_buffer text; /* of all cells, one after another */
 } app_table;
 
 /* Append one cell; takes over text, which comes from malloc. */
 void app_table_add(app_table *t, char *text);
-/* What was put at the end of the text makes a cell, all at once or with that. */
+/* End a cell that was appended to the text. Below: append a text and end the cell. */
 void app_table_end_cell(app_table *t);
 void app_table_put(app_table *t, const char *text);
 /* Print and clear. Columns are one space apart; lines carry no trailing spaces. */

@@ -1,4 +1,4 @@
-/* ask.h: what the commands that solve have in common on their command line. */
+/* ask.h: the common part of the command lines of commands that solve. */
 #ifndef APP_ASK_H
 #define APP_ASK_H
 
@@ -11,21 +11,21 @@ typedef struct app_ask {
     fmb_options options;
     bool json;
     int digits;               /* of decimals, or 0: fractions */
-    bool relax;               /* integer variables are meant as reals */
+    bool relax;               /* treat integer variables as reals */
     const char *trace;        /* file for the events, or NULL */
     const char *proof;        /* file for the evidence, or NULL */
     const char *rule_library; /* shared object with rules and orders, or NULL */
-    const char *order;        /* word of --order that only such an object can know, or NULL */
+    const char *order;        /* word of --order that must be from such an object, or NULL */
     const char *symmetry;     /* file of symmetries, or NULL */
     void *own_input;          /* of the command's own parser */
     const struct app_usage *usage;
 } app_ask;
 
-/* What tells one command from the next. */
+/* The properties of one command. */
 typedef struct app_usage {
     const char *args, *doc;
     const struct argp *own; /* options of this command alone, or NULL */
-    bool shows_claims;      /* the report tells of other claims than that of the verdict */
+    bool shows_claims;      /* the report shows other claims than that of the verdict */
     bool takes_symmetries;  /* --symmetry may name a file */
 } app_usage;
 
@@ -33,15 +33,15 @@ typedef struct app_usage {
  * APP_USAGE, or after --help. */
 void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int argc, char **argv);
 
-/* A command must not bring its machine down: unless told otherwise it takes half of the memory, or
- * of what this process may have [bytes]. */
+/* The default memory limit, so that a command cannot bring its machine down: half of the memory, or
+ * of the limit of this process [bytes]. */
 size_t app_ask_half_of_memory(void);
 
 /* For a command that prints nothing but a system, whose numbers are exact: APP_USAGE after a
  * message if --decimal is given without --json, which has decimals beside them; else APP_YES. */
 int app_ask_exact_rows(const app_ask *ask);
 
-/* Is the proof to stand where the report would? (--proof -) */
+/* Does the proof replace the report on standard output? (--proof -) */
 bool app_ask_proof_only(const app_ask *ask);
 
 #endif

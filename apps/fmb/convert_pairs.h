@@ -4,7 +4,7 @@
 
 #include "common/source.h"
 
-/* Pairs of frames of the source to standard output, in binary; an exit code. */
+/* Write the pairs of frames of the source to standard output, in binary; an exit code. */
 int convert_pairs(const app_source *source, bool nearest);
 
 #endif

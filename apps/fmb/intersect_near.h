@@ -1,5 +1,5 @@
-/* intersect_near.h: what `fmb intersect` is asked for beside verdicts and boxes: distance, depth,
- * common points, and rows that separate. */
+/* intersect_near.h: answers of `fmb intersect` beyond verdicts and boxes: distance, depth, common
+ * points, and separating rows. */
 #ifndef FMB_INTERSECT_NEAR_H
 #define FMB_INTERSECT_NEAR_H
 
@@ -11,36 +11,36 @@
 typedef struct near_ask {
     bool distance, depth, common, separate;
     fmb_norm norm; /* of distance, depth and within */
-    bool within;   /* is the distance at most ... */
-    mpq_t margin;  /* ... that? Initialised if within is set */
+    bool within;   /* is the distance at most margin? */
+    mpq_t margin;  /* initialised if within is set */
     int digits;    /* of decimals, or 0: fractions */
 } near_ask;
 
-/* What was found of one pair: NULL where it was not asked for, or there is none. */
+/* These answers about one pair: NULL if not requested, or if there is none. */
 typedef struct near_found {
     fmb_proximity *distance, *depth;
     fmb_generators *common;
     fmb_system *row;
     bool is_within;
-    fmb_stop stop;             /* DONE; else a limit was reached, and something is missing */
-    const char *contradiction; /* of the verdict, in words: a bug; else NULL */
+    fmb_stop stop;             /* DONE; else a limit was reached, and answers are missing */
+    const char *contradiction; /* to the verdict, in words: a bug; else NULL */
 } near_found;
 
 /* Set within and margin from text, a rational or decimal: an exit code. */
 int near_read_margin(near_ask *ask, const char *text);
 void near_ask_clear(near_ask *ask);
-/* Is anything wanted? */
+/* Is any of these answers requested? */
 bool near_is_asked(const near_ask *ask);
-/* Ask about a pair whose verdict is known, with the limits of v. A body that is a polytope given by
- * rows counts by its vertices; of an unbounded one nothing is told. */
+/* Find the answers about a pair with a known verdict, with the limits of v. A polytope given by
+ * rows is converted to its vertices; for an unbounded one there are no answers. */
 fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frame_line *line,
                      fmb_contact contact, fmb_verdict verdict, near_found *out);
 void near_clear(near_found *f);
-/* What of all that was asked and found contradicts the verdict, in words; NULL if nothing does. */
+/* Which of the answers found contradicts the verdict, in words; NULL if none does. */
 const char *near_contradiction(const near_ask *ask, fmb_contact contact, fmb_verdict verdict,
                                const near_found *found);
 
-/* Lines under a pair; members of its JSON object, ", " first. */
+/* Print the lines below a pair; and the members of its JSON object, with ", " first. */
 void near_print(const near_ask *ask, const near_found *f, FILE *out);
 void near_print_json(const near_ask *ask, const near_found *f, FILE *out);
 

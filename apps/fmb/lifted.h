@@ -1,5 +1,5 @@
-/* lifted.h: commands about several polyhedra, whose answers are projections of a lift
- * (<fmb/lift.h>): what they have in common, from command line to exit code.
+/* lifted.h: the common code of commands about several polyhedra whose answers are projections of a
+ * lift (<fmb/lift.h>), from command line to exit code.
  */
 #ifndef APP_LIFTED_H
 #define APP_LIFTED_H
@@ -10,7 +10,7 @@
 
 enum { APP_MOST_FILES = 4096 };
 
-/* What the FILEs hold, in order. */
+/* The contents of the FILEs, in order. */
 typedef struct app_polyhedra {
     fmb_system **system;        /* [n] each, or a lift of its generators */
     fmb_generators **generator; /* [n], NULL where there are rows */
@@ -18,7 +18,7 @@ typedef struct app_polyhedra {
     fmb_system *graph; /* of the map, or NULL */
 } app_polyhedra;
 
-/* What is asked of the solver: *lift may stay NULL. */
+/* The query of the solver: *lift may stay NULL. */
 typedef fmb_status app_lifted_query(fmb_solver *v, const app_polyhedra *p, fmb_system **lift,
                                     fmb_system **out, fmb_result *res);
 
@@ -26,8 +26,8 @@ typedef struct app_lifted {
     const char *args, *doc;
     bool map; /* the last FILE is a map over the first */
     app_lifted_query *query;
-    /* Or NULL: what is asked where all have generators and nobody wants the lift, which has a
-     * variable for each: system[] is then NULL throughout. */
+    /* Or NULL: the query if all files have generators and the lift, which has a variable for each
+     * generator, is not requested: all of system[] are then NULL. */
     app_lifted_query *query_of_generators;
 } app_lifted;
 

@@ -1,4 +1,4 @@
-/* mesh_ask.h: what `fmb mesh` is asked, and what it answers. */
+/* mesh_ask.h: the options of `fmb mesh`, and its answers. */
 #ifndef APP_MESH_ASK_H
 #define APP_MESH_ASK_H
 
@@ -24,29 +24,29 @@ typedef struct mesh_ask {
 
 /* [give, fmb_mesh_free] */
 int mesh_file_read(const mesh_ask *ask, const char *path, fmb_mesh **out);
-/* *m becomes the mesh at its place. */
+/* Replace *m by the placed mesh. */
 int mesh_file_place(const mesh_ask *ask, fmb_mesh **m);
-/* Write both meshes, b may be NULL: code, unless something goes wrong. */
+/* Write both meshes, b may be NULL; returns code, or that of an error. */
 int mesh_mark(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
               const fmb_mesh_answer *answer, int code);
 
 /* ---- mesh_ranks.c ---------------------------------------------------------------------------- */
 
-/* [give, fmb_mesh_free] The mesh that rank 0 has read, if its code is APP_YES, or NULL, becomes
- * that of all. Rank 0's code. */
+/* [give, fmb_mesh_free] Send the mesh that rank 0 has read, if its code is APP_YES, or NULL, to all
+ * ranks. Returns rank 0's code. */
 int mesh_share(int code, fmb_mesh **m);
-/* [give, free() out->hit] All pairs, without trees, by all ranks: rank 0 has the answer. It tells
- * how->progress, and how->max_bytes holds for all of them together, how->max_seconds for all rows.
- * Errors: as fmb_mesh_meet_pairs, of this rank alone. */
+/* [give, free() out->hit] Test all pairs, without trees, by all ranks: rank 0 gets the answer and
+ * calls how->progress; how->max_bytes is for all ranks together, how->max_seconds for all rows.
+ * Errors: as fmb_mesh_meet_pairs, of this rank only. */
 fmb_status mesh_meet_pairs(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *how,
                            fmb_mesh_answer *out);
 
 /* ---- mesh_report.c --------------------------------------------------------------------------- */
 
-/* Print the answer: code, unless something goes wrong. */
+/* Print the answer; returns code, or that of an error. */
 int mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
                 const fmb_mesh_answer *answer, int code);
-/* The same of a distance and the row between the nearest cells. */
+/* Print a distance and the row between the nearest cells, likewise. */
 int mesh_report_nearest(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
                         const fmb_mesh_nearest *nearest, int code);
 

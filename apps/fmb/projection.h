@@ -4,11 +4,11 @@
 
 #include "fmb/query.h"
 
-/* Print it, as JSON or in that format; the exit code. NULL: what is known is that there are limits.
+/* Print a projection, as JSON or in that format; the exit code. NULL: only the limit is reported.
  */
 int app_projection_report(const app_session *s, const fmb_system *projection, fmb_format to);
-/* The same of its classes (<fmb/symmetry.h>) under symmetries of what was projected on keep[n];
- * NULL: each row is one. */
+/* Print its classes of rows (<fmb/symmetry.h>) under symmetries of the system, which was projected
+ * on keep[n]; NULL: each row is a class. */
 int app_classes_report(const app_session *s, const fmb_system *projection,
                        const fmb_permutations *symmetries, const int *keep, int n);
 

@@ -1,5 +1,5 @@
-/* scene.h: files of scenes, glTF 2.0 (.gltf, .glb) and 3MF (.3mf), as text that the library reads:
- * the triangles of all objects at their places, each object a group with its name, as OBJ.
+/* scene.h: files of scenes, glTF 2.0 (.gltf, .glb) and 3MF (.3mf), converted to OBJ text for the
+ * library: the triangles of all placed objects, each object a group with its name.
  */
 #ifndef APP_SCENE_H
 #define APP_SCENE_H
@@ -13,7 +13,7 @@ typedef struct scene_bytes {
     size_t n;
 } scene_bytes;
 
-/* All of a file, and of what it names beside it, up to `most` bytes each. */
+/* A whole file; it and each file that it refers to have at most `most` bytes. */
 typedef struct scene_file {
     const char *path;
     size_t most;
@@ -27,9 +27,9 @@ int scene_read_bytes(const char *path, size_t most, scene_bytes *out);
 
 typedef int scene_reader(const scene_file *in, FILE *obj);
 
-/* Lines and points are left out, and skins and morph targets. */
+/* Lines, points, skins and morph targets are ignored. */
 scene_reader scene_gltf_as_obj;
-/* What is to be built; objects are told by number where they have no name. */
+/* The items of the build; objects without a name are named by number. */
 scene_reader scene_3mf_as_obj;
 
 /* "o NAME": a line, as OBJ has no quotes. */

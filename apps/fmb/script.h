@@ -1,4 +1,4 @@
-/* script.h: fmb solve of an SMT-LIB script that asks more than once. */
+/* script.h: fmb solve for an SMT-LIB script with several questions. */
 #ifndef APP_SCRIPT_H
 #define APP_SCRIPT_H
 
@@ -6,8 +6,8 @@
 
 #include "fmb/query.h"
 
-/* Answer all that the script asks, whose solver is open, on standard output; source is how it was
- * read. The exit code: undecided if some check is, else that of the last check. */
+/* Answer all questions of the script from `file` on standard output; the solver of s is open. The
+ * exit code: undecided if some check is, else that of the last check. */
 int app_script_answer(app_session *s, fmb_script *script, const char *file);
 
 #endif

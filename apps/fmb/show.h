@@ -2,7 +2,7 @@
 #ifndef APP_SHOW_H
 #define APP_SHOW_H
 
-/* gmp.h declares what prints and takes argument lists only behind these two. */
+/* gmp.h declares printing and argument lists only after these two headers. */
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -22,21 +22,21 @@ void app_put_number(app_buffer *out, mpq_srcptr q, int digits);
 void app_put_row_name(app_buffer *out, const fmb_system *s, size_t i);
 void app_put_row(app_buffer *out, const fmb_system *s, size_t i, int digits);
 
-/* [give, free()] The same alone. */
+/* [give, free()] These as texts of their own. */
 char *app_show_row_name(const fmb_system *s, size_t i);
 char *app_show_row(const fmb_system *s, size_t i, int digits);
 
-/* [give, free()] A double as the decimal that tells it from all others; with digits, as any other
+/* [give, free()] A double as a decimal that identifies it (shortest.h); with digits, like any other
  * number. */
 char *app_show_double(double d, int digits, app_rounding way);
 
-/* [give, free()] The objective times sign, "3 x - y + 5", without its constant unless that is asked
- * for. */
+/* [give, free()] The objective times sign, "3 x - y + 5"; its constant only if `constant`.
+ */
 char *app_show_objective(const fmb_system *s, int sign, bool constant, int digits);
 
 /* "p/q", or with digits {"exact": "p/q", "decimal": "0.333333", "rounded": true} */
 json_t *app_json_number(mpq_srcptr q, int digits, app_rounding way);
-/* The coordinates of generator i, a list of these. */
+/* The coordinates of generator i, a list of such numbers. */
 json_t *app_json_generator(const fmb_generators *g, size_t i, int digits);
 /* obj[name of variable j] = value. */
 void app_json_set_variable(json_t *obj, const fmb_system *s, int j, json_t *value);

@@ -1,6 +1,6 @@
-/* threemf_module.h: what reads 3MF, for threemf_load.c alone: a module that is loaded for such a
- * file. libzip brings a library of ciphers, which took most of the time in which a small query is
- * answered.
+/* threemf_module.h: the reader of 3MF, for threemf_load.c only: a module that is loaded for such a
+ * file, as libzip needs a library of ciphers, whose loading would take most of the time of a small
+ * query.
  */
 #ifndef APP_THREEMF_MODULE_H
 #define APP_THREEMF_MODULE_H
@@ -9,7 +9,7 @@
 #include "common/need.h"
 #include "fmb/scene.h"
 
-/* What the program lends: its messages and names. */
+/* Functions of the program that the module uses. */
 typedef struct scene_host {
     __typeof__(&app_error_at) error_at;
     __typeof__(&app_need) need;

@@ -1,4 +1,4 @@
-/* watch.h: what happens beside a running query: Ctrl-C, the trace, progress on a terminal. */
+/* watch.h: the watcher of a running query: Ctrl-C, the trace, progress on a terminal. */
 #ifndef APP_WATCH_H
 #define APP_WATCH_H
 
@@ -12,7 +12,7 @@ typedef struct app_watch {
     fmb_sink trace; /* {NULL, NULL} if there is none */
     atomic_int round;
     atomic_ullong rows, lps;
-    bool shows; /* on a terminal a thread shows how far the query is; what follows is for that */
+    bool shows; /* a thread shows progress on a terminal; the members below are for that */
     pthread_t thread;
     pthread_mutex_t lock; /* for `over` */
     pthread_cond_t end;
@@ -21,8 +21,8 @@ typedef struct app_watch {
     int width;    /* characters on the line now */
 } app_watch;
 
-/* From here to app_watch_end SIGINT and its like (signals.h) cancel the solver's query; a second
- * one ends the process. One watch at a time; it must not move. */
+/* From here to app_watch_end SIGINT and similar signals (signals.h) cancel the solver's query; a
+ * second one ends the process. One watch at a time; w must not be moved. */
 void app_watch_begin(app_watch *w, fmb_solver *solver, fmb_sink trace, bool quiet);
 void app_watch_end(app_watch *w);
 
