@@ -19,7 +19,7 @@
 
 #include "pair/kernels/box/box_edges.h"
 
-/* What is the same for all parallel edges. */
+/* The numbers shared by all parallel edges. */
 typedef struct box_cross {
     int i, j, k;                  /* values: two fixed, one along the edge of A */
     lane2 det;                    /* as computed; then its absolute value */
@@ -102,7 +102,7 @@ FMB_BOX_INLINE void box_cover_contact(const box_kind *k, const box_contact *x, c
 }
 
 /* One direction of edges of A against one direction of edges of B. Nearly all pairs of edges miss
- * each other: plain doubles say so first. */
+ * each other, which plain doubles prove first. */
 FMB_BOX_INLINE void box_cover_cross(const box_kind *k, const box_view *v, const box_frame *b,
                                     const box_guest *g, int n, const box_direction *e,
                                     const int fixed[3], box_hull *h)
@@ -129,8 +129,8 @@ FMB_BOX_INLINE void box_cover_cross(const box_kind *k, const box_view *v, const 
     }
 }
 
-/* All pairs of edges, in double-doubles; g holds the corners of B at t = 0. In one place for lines
- * of either precision. */
+/* All pairs of edges, in double-doubles; g holds the corners of B at t = 0. Not inlined: shared by
+ * lines of either precision. */
 static FMB_NEVER_CLONED void box_cover_contacts(int a, int b, const box_view *v,
                                                 const box_frame *guest, const box_guest *g,
                                                 box_hull *h)

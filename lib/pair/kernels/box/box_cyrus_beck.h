@@ -86,7 +86,7 @@ FMB_BOX_INLINE void box_above(const box_kind *k, const box_line *l, int i, lane2
     }
 }
 
-/* A little more on either side covers the rounding of both numbers. */
+/* The part is widened a little on either side to cover the rounding of both numbers. */
 FMB_BOX_INLINE void box_measure(box_part *p)
 {
     p->middle = lane_of(0.5) * (p->lo.hi + p->hi.hi);

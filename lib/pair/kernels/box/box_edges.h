@@ -6,7 +6,7 @@
 
 #include "pair/kernels/box/box_cyrus_beck.h"
 
-/* The guest's corners at one time: values in the host, and in the world. */
+/* The guest's corners at one time: values in the host, and world coordinates. */
 typedef struct box_guest {
     lane2 y[BOX_CORNERS][BOX_VALUES];
     lane world[BOX_CORNERS][3];
@@ -35,7 +35,7 @@ FMB_BOX_INLINE void box_guest_of(const box_kind *k, int guest, const box_view *v
     }
 }
 
-/* From t = 0 to t = 1. */
+/* Move the corners from t = 0 to t = 1. */
 FMB_BOX_INLINE void box_guest_move(const box_kind *k, int guest, const box_view *v,
                                    const box_frame *f, box_guest *g)
 {
@@ -107,7 +107,7 @@ FMB_BOX_INLINE void box_cover_host(const box_kind *k, box_hull *h, const lane2 *
     }
 }
 
-/* The part of the line from corner c. */
+/* Cover the part of the line from corner c that is in the host. */
 FMB_BOX_INLINE box_part box_cover_line(const box_kind *k, int guest, const box_view *v,
                                        const box_line *l, const box_guest *g, int c,
                                        const box_direction *e, lane rho, box_hull *h)

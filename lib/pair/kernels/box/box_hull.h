@@ -8,7 +8,7 @@
 
 #include "pair/kernels/box/box_view.h"
 
-/* Is there none in any lane? */
+/* Is there no point in any lane? */
 FMB_BOX_INLINE bool box_is_nowhere(lane x)
 {
     return lane_bits(lane_less(-lane_of(HUGE_VAL), x)) == 0;
@@ -17,8 +17,8 @@ FMB_BOX_INLINE bool box_is_nowhere(lane x)
 typedef struct box_hull {
     lane world[2][3], inside[2][3], time[2]; /* lower, upper */
     lane sum[3], points;                     /* of points in the world; their mean is the witness */
-    lane gap, inside_gap; /* by how much an end may exceed the exact one: of a parameter of an edge
-                             or of time, and of a coordinate in B */
+    lane gap, inside_gap; /* bounds of how far an end exceeds the exact one: for a parameter of an
+                             edge or of time, and for a coordinate in B */
 } box_hull;
 
 FMB_BOX_INLINE void box_hull_empty(box_hull *h)
@@ -49,7 +49,7 @@ FMB_BOX_INLINE void box_cover_span(lane from, lane along, lane middle, lane half
     *upper = lane_max(at + far, *upper);
 }
 
-/* The same in the world. */
+/* Cover these points in the world. */
 FMB_BOX_INLINE void box_cover_world(const box_kind *k, box_hull *h, const lane *from,
                                     const lane *along, lane middle, lane half)
 {
@@ -61,7 +61,7 @@ FMB_BOX_INLINE void box_cover_world(const box_kind *k, box_hull *h, const lane *
     h->points = lane_pick(some, h->points + lane_of(1), h->points);
 }
 
-/* Coordinates in B of points on an edge of B: from + s along, both whole numbers. */
+/* Cover coordinates in B of points on an edge of B: from + s along, both integers. */
 FMB_BOX_INLINE void box_cover_own(const box_kind *k, box_hull *h, const int *from, const int *along,
                                   lane lo, lane hi)
 {

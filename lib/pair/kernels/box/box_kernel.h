@@ -25,7 +25,7 @@
 typedef struct box_pair {
     box_frame frame[2]; /* A, B */
     lane far;
-    lane_mask known; /* numbers are of a size that no error bound minds */
+    lane_mask known; /* numbers have sizes for which all error bounds hold */
 } box_pair;
 
 FMB_BOX_INLINE const double *box_load(int dim, const double *rows, lane *x, lane *most)
@@ -37,7 +37,7 @@ FMB_BOX_INLINE const double *box_load(int dim, const double *rows, lane *x, lane
     return rows + dim * FMB_LANES;
 }
 
-/* A block has a cuboid before a simplex. */
+/* Load a pair; a block has a cuboid before a simplex. */
 FMB_BOX_INLINE void box_pair_of(const box_kind *k, const double *block, box_pair *p)
 {
     const int d = k->dim, swapped = k->shape[0] == FMB_SIMPLEX && k->shape[1] == FMB_CUBOID;
@@ -92,7 +92,7 @@ FMB_BOX_INLINE void box_store(const box_kind *k, const box_pair *p, box_hull *h,
     lane_store(answer + (4 * d + 1) * FMB_LANES, last);
 }
 
-/* The guest in the host, in one place for lines of either precision. */
+/* The guest in the host; not inlined, shared by lines of either precision. */
 #define BOX_VIEW(name, dimension)                                                                  \
     static FMB_NEVER_CLONED void name(const box_kind *of, int guest, const box_frame *host,        \
                                       const box_frame *own, box_view *v, box_guest *g)             \
@@ -105,7 +105,7 @@ FMB_BOX_INLINE void box_store(const box_kind *k, const box_pair *p, box_hull *h,
 BOX_VIEW(box_view_in_plane, 2)
 BOX_VIEW(box_view_in_space, 3)
 
-/* dim and fine are constants, the rest is not: that would make 28 copies of all this. If not fine,
+/* Only dim and fine are constants, as otherwise there would be 28 copies of this code. If not fine,
  * lines are clipped in doubles; all else is in double-doubles. */
 FMB_BOX_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b,
                                    const double *block, double *answer)

@@ -1,7 +1,7 @@
 /* box_still.h: the box of the common points of two frames that stand still.
  *
- * All edges of each frame are clipped against the other (box_kernel.h says why that is enough), in
- * plain doubles. Lanes where that is not good enough are left to box_kernel.h.
+ * All edges of each frame are clipped against the other (box_kernel.h shows that this suffices), in
+ * plain doubles. Lanes where these are not accurate enough are left to box_kernel.h.
  *
  * Ends in the world are computed from the origin of A, with at most 12 roundings, each of a number
  * at most
@@ -19,14 +19,14 @@
 
 typedef struct still_pair {
     still_frame frame[2];    /* A, B */
-    lane place[3], shift[3]; /* the origin of A; from there to that of B */
-    lane far, most;          /* most: M, but for rounding */
-    lane_mask known;         /* numbers are of a size that no error bound minds */
+    lane place[3], shift[3]; /* the origin of A; the vector from there to that of B */
+    lane far, most;          /* most: M, up to rounding */
+    lane_mask known;         /* numbers have sizes for which all error bounds hold */
 } still_pair;
 
 /* ---- the numbers ----------------------------------------------------------------------------- */
 
-/* Returns the largest coordinate of a corner, but for rounding. */
+/* Returns the largest coordinate of a corner, up to rounding. */
 FMB_BOX_INLINE lane still_frame_of(const box_kind *k, int which, const double *axes,
                                    const lane *place, still_frame *f)
 {

@@ -1,13 +1,13 @@
-/* box_still_edges.h: what is left of an edge in the other frame, if both stand still, and the hull
- * of all that.
+/* box_still_edges.h: the parts of edges inside the other frame, for frames that do not move, and
+ * the hull of these parts.
  *
  * An edge y + s d of the guest, 0 <= s <= 1, is in a cuboid host where |y_i + s d_i| <= half for
  * all i, that is, with r_i = 1 / d_i, where s is within half |r_i| of -y_i r_i; in a simplex where
  * all y_i + s d_i >= 0, that is, s >= -y_i r_i if d_i > 0, else s <= -y_i r_i (box_still_view.h).
- * The numbers are off by at most wide_i in all, so what lies within wide_i more contains the exact
- * part of the edge: ends move out by margin_i = wide_i |r_i|. What
- * rounds where an end is computed, and that |d_i| is taken to be at least 2^-10 wide_i, wide_i has
- * room for: docs/error-bounds.md, "Still view".
+ * The total error of the numbers is at most wide_i, so bounds widened by wide_i contain the exact
+ * part of the edge: ends move out by margin_i = wide_i |r_i|. wide_i also covers the rounding of an
+ * end, and the effect of taking |d_i| to be at least 2^-10 wide_i: docs/error-bounds.md, "Still
+ * view".
  */
 #ifndef FMB_PAIR_BOX_STILL_EDGES_H
 #define FMB_PAIR_BOX_STILL_EDGES_H
@@ -21,7 +21,7 @@ typedef struct still_direction {
     lane along[3], far[3]; /* half of the edge in the world, and of its absolute value */
 } still_direction;
 
-/* Where parameters of edges in a direction may be. */
+/* The intervals of parameters of edges in one direction. */
 typedef struct still_slabs {
     lane r[BOX_VALUES], room[BOX_VALUES], margin[BOX_VALUES];
     lane_mask falls[BOX_VALUES]; /* d_i < 0; of a cuboid not looked at, of a simplex room is not */

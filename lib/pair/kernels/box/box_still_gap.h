@@ -1,10 +1,10 @@
-/* box_still_gap.h: by how much ends of boxes may exceed the exact ones, for frames that stand
- * still.
+/* box_still_gap.h: bounds of how far ends of boxes exceed the exact ones, for frames that do not
+ * move.
  *
- * An end of a part (box_still_edges.h) that moves in by 2 margin_i is certainly within the exact
- * part, if anything is left. So, if a part is empty, then so is the exact one; and if it is longer
- * than 2^-36, while no end moves by more than 2^-38, then there is one. Parts in between are in
- * doubt. The ends exceed the exact ones by at most `gap`, the largest 2 margin_i of the values i
+ * An end of a part (box_still_edges.h) moved in by 2 margin_i is certainly within the exact part,
+ * if the part is not empty then. So if a part is empty, the exact one is, too; and if it is longer
+ * than 2^-36 while no end moves by more than 2^-38, there is an exact one. Parts in between are
+ * undecided. Ends exceed the exact ones by at most `gap`, the largest 2 margin_i over the values i
  * that may cut off anything: those where some y_i comes within |d_i| + 2 wide_i of a bound (for a
  * cuboid ||y_i| - half| = |y_i^2 - half^2| / (|y_i| + half)). That is good enough in most lanes; if
  * it is not, an edge is nearly parallel to a face. One unit of wide_i is left for rounding.

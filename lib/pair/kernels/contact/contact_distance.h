@@ -1,24 +1,24 @@
-/* contact_distance.h: how far apart are two frames in the plane or in space, and where?
+/* contact_distance.h: the distance of two frames in the plane or in space, and the nearest points.
  *
- * GJK (gjk.h) of all lanes at once. M is the set of the differences a - b, with all of them while B
- * moves. A lane keeps D vertices of M, some of them the same, and the nearest point x to 0 of their
- * hull. The next vertex v is the farthest along -x. The nearest point of the larger hull is v, or
- * inside of an edge from v, or in space inside of a triangle at v: for the hull before has nothing
- * nearer than x. All of these are made, and the nearest of those that are inside is taken where it
- * is nearer than x.
+ * GJK (gjk.h) for all lanes at once. M is the set of differences a - b, swept while B moves. A lane
+ * keeps D vertices of M, perhaps repeated, and the point x nearest to 0 of their hull. The next
+ * vertex v is the farthest along -x. The nearest point of the larger hull is v, or inside an edge
+ * from v, or in space inside a triangle at v, as the hull before has no point nearer than x. All
+ * these candidates are computed, and the nearest of those inside their edge or triangle is taken if
+ * it is nearer than x.
  *
- * Nothing of this is trusted. At last x is made once more, from vertices and weights: a point of M.
- * And each direction w in which a vertex m was the farthest says that the frames are apart by (w m
- * - 128 u reach |w|) / length of w at least (docs/error-bounds.md, "Distances, and hulls"). A lane
- * is good if the two are no more than 2^-41 reach apart; frames that touch, or are not apart, never
- * are if they are not very near.
+ * The result is proved independently: x is finally recomputed from vertices and weights, a point of
+ * M, which bounds the distance from above; and each direction w with its farthest vertex m bounds
+ * it from below by (w m - 128 u reach |w|) / length of w (docs/error-bounds.md, "Distances, and
+ * hulls"). A lane is good if the bounds differ by at most 2^-41 reach; so lanes of frames that
+ * touch or meet are never good unless these bounds are both very small.
  */
 #ifndef FMB_PAIR_CONTACT_DISTANCE_H
 #define FMB_PAIR_CONTACT_DISTANCE_H
 
 #include "pair/kernels/contact/contact_kernel.h"
 
-/* Lanes that need more are asked one by one. */
+/* The most steps; lanes that need more are computed one by one. */
 enum { DISTANCE_STEPS = 12 };
 
 /* A vertex of M: itself, the one of A, 1 after the drift, else 0; and its weight. */
@@ -26,7 +26,7 @@ typedef struct distance_vertex {
     lane x[3], a[3], late, weight;
 } distance_vertex;
 
-/* The nearest point so far; and the best bound, along a direction of that length. */
+/* The nearest point so far, and the best lower bound with its direction and length. */
 typedef struct distance_state {
     distance_vertex v[3];
     lane x[3], square;
@@ -84,7 +84,7 @@ FMB_INLINE void distance_support_of(int dim, const fmb_flat_kind *k, const flat_
         out->x[j] = lane_pick(late, out->x[j] - drift[j], out->x[j]);
 }
 
-/* Asked at three places: called, as it is long. */
+/* Used in three places; not inlined, as it is long. */
 static FMB_NEVER_CLONED void distance_support_2d(const fmb_flat_kind *k, const flat_pair *p,
                                                  const lane *w, distance_vertex *out)
 {
@@ -103,7 +103,7 @@ FMB_INLINE void distance_support(int dim, const fmb_flat_kind *k, const flat_pai
     (dim == 2 ? distance_support_2d : distance_support_3d)(k, p, w, out);
 }
 
-/* What the farthest vertex along -w says of the distance. */
+/* Update the lower bound of the distance by the farthest vertex along -w. */
 FMB_INLINE void distance_note(int dim, const lane *w, lane length, const lane *vertex, lane reach,
                               distance_state *s)
 {

@@ -1,8 +1,8 @@
-/* contact_hulls.h: hulls of many points, several at a time: which is farthest in a direction, and
- * how the points become vertices (bodies.h).
+/* contact_hulls.h: vectorized loops over hulls of many points: the farthest point in a direction,
+ * and the conversion of points to vertices (bodies.h).
  *
- * Products and sums are rounded as those of the loops over one after another (gjk.c, bodies.c) are,
- * or fused: what follows does not ask how a vertex was found.
+ * Products and sums are rounded as in the scalar loops (gjk.c, bodies.c), or fused: later proofs do
+ * not depend on how a vertex was found.
  */
 #ifndef FMB_PAIR_CONTACT_HULLS_H
 #define FMB_PAIR_CONTACT_HULLS_H

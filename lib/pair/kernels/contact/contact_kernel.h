@@ -1,16 +1,15 @@
-/* contact_kernel.h: how deep are two frames in each other, in the plane or in space?
+/* contact_kernel.h: the penetration depth of two frames in the plane or in space.
  *
- * The least depth is that in the direction of one of the normals of flat.h, since the nearest point
- * of the hull of B - A lies in one of its facets; the depth in any other direction is no less. So
- * all normals are asked in one pass, which also tells the verdict: the frames overlap by o / |n|
- * along n, where o is less than the gap of verdict_flat.h is above, and the least of those is
- * sought without a root or a division. With o off by e and |n| by h, and U the depth along the
- * normal that was found, rounded up, a second pass proves (o - e) / (|n| + h) >= U - 2^-40 reach
- * for all: then the depth found is off by no more than that, whichever normal is the true one.
+ * The least depth is along one of the normals of flat.h, since the point of the boundary of B - A
+ * nearest to 0 lies in one of its facets; the depth in any other direction is no less. So one pass
+ * tests all normals, which also gives the verdict: the frames overlap by o / |n| along n, where o
+ * is minus the gap of verdict_flat.h, and the least of these is found without a root or a division.
+ * With errors e of o and h of |n|, and U the depth along the normal found, rounded up, a second
+ * pass proves (o - e) / (|n| + h) >= U - 2^-40 reach for all normals: then the depth found has no
+ * larger error than this, whichever normal is the true one.
  *
- * Two parallel edges have no normal, and what was computed for it is noise. Where all that is
- * computed is that small, products of the coordinates are compared without an error; where they are
- * equal the normal does not count.
+ * Two parallel edges have no normal, and the computed one is noise. If all its coordinates are that
+ * small, products of coordinates are compared exactly; if they are equal, the normal is ignored.
  *
  * Errors: docs/error-bounds.md, "Contacts of pairs". Sizes are as in verdict_flat.h, so a reach is
  * known well only if it is far above the least of them: no lane below 2^-90 is good.
@@ -21,7 +20,7 @@
 #include "pair/kernels/contact/contact_overlap.h"
 #include "pair/kernels/lane/error_free.h"
 
-/* What was asked about, normal by normal: overlap, square of the length, sizes of directions. */
+/* The results for each normal: overlap, square of the length, sizes of directions. */
 typedef struct contact_rows {
     lane overlap[FMB_FLAT_MOST_NORMALS], square[FMB_FLAT_MOST_NORMALS], size[FMB_FLAT_MOST_NORMALS];
 } contact_rows;
@@ -42,7 +41,7 @@ FMB_INLINE lane contact_root(lane a)
 
 /* ---- normals that are none ------------------------------------------------------------------- */
 
-/* 0 if what is not 0 among the coordinates is 2^-400 at least, so that products are exact. */
+/* 0 if all nonzero coordinates are at least 2^-400, so that products are exact. */
 FMB_INLINE lane contact_tiny(int dim, const lane *x)
 {
     lane sum = lane_of(0);

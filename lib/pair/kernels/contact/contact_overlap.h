@@ -1,5 +1,5 @@
-/* contact_overlap.h: by how much do two frames overlap along a normal of flat.h? It is minus the
- * gap of verdict_flat.h; of cuboids it takes fewer operations.
+/* contact_overlap.h: the overlap of two frames along a normal of flat.h: minus the gap of
+ * verdict_flat.h, with fewer operations for cuboids.
  */
 #ifndef FMB_PAIR_CONTACT_OVERLAP_H
 #define FMB_PAIR_CONTACT_OVERLAP_H
@@ -10,7 +10,7 @@
  * much as gaps. */
 enum { CONTACT_LENGTH_PLANE = 8, CONTACT_LENGTH_SPACE = 32 };
 
-/* Twice the way from the middle of the cuboid A to that of B. */
+/* Twice the vector from the centre of the cuboid A to that of B. */
 FMB_INLINE void contact_between_middles(int dim, const flat_pair *p, lane *out)
 {
     for (int j = 0; j < dim; j++) {
@@ -34,7 +34,7 @@ FMB_INLINE lane contact_of_cuboids(int dim, const flat_pair *p, const lane *midd
     return lane_of(0.5) * (reach - lane_abs(*side));
 }
 
-/* The same of any frames. */
+/* That overlap for any frames. */
 FMB_INLINE lane contact_of_any(int dim, const fmb_flat_kind *k, const flat_pair *p, const lane *n,
                                lane *side)
 {

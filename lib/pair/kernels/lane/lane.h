@@ -1,4 +1,4 @@
-/* lane.h: numbers of several pairs side by side.
+/* lane.h: vectors of numbers, one from each of several pairs.
  *
  * The kernels are written once, in terms of `lane`: FMB_LANES doubles, one of each pair of a block.
  * kernels_*.c set FMB_LANES to 1, 2, 4 or 8 (2: SSE2, 4: AVX2 with FMA, 8: AVX-512 F and DQ) and
@@ -59,7 +59,7 @@ FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
     return LANE_TERNARY(a, s, _mm512_set1_pd(-0.0), 0x78); /* a ^ (s & sign) */
 }
-/* Where the sign bit is set. */
+/* The mask of lanes whose sign bit is set. */
 FMB_INLINE lane_mask lane_negative(lane a)
 {
     return _mm512_movepi64_mask(_mm512_castpd_si512(a));
@@ -107,7 +107,7 @@ FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
     return _mm256_xor_pd(a, _mm256_and_pd(s, _mm256_set1_pd(-0.0)));
 }
-/* Only sign bits of masks are ever looked at. */
+/* Only sign bits of masks are ever used. */
 FMB_INLINE lane_mask lane_negative(lane a)
 {
     return a;
@@ -215,7 +215,7 @@ FMB_INLINE lane lane_max(lane a, lane b)
 }
 #endif
 
-/* The first n numbers at a, and 0 in the lanes behind; n may be less than 0 or too large. */
+/* The first n numbers at a, and 0 in the other lanes; n may be less than 0 or too large. */
 FMB_INLINE lane lane_load_some(const double *a, int n)
 {
 #if FMB_LANES == 8

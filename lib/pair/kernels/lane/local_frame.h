@@ -1,4 +1,4 @@
-/* local_frame.h: a block of pairs in the frame of A, without a division.
+/* local_frame.h: a block of pairs in coordinates of A, without a division.
  *
  * With n_i the rows of the adjugate of the matrix whose columns are A's axes, n_i a_k is det A
  * where i = k and 0 elsewhere. So in coordinates y_i = n_i (x - origin of A), times the sign of det
@@ -138,7 +138,7 @@ FMB_INLINE void local_frame_measure(int dim, bool moves, const double *block, lo
     f->known = lane_and(f->known, lane_less(sum, lane_of(0x1p1000)));
 }
 
-/* Coordinates of x: rows of the adjugate n times x. In the plane n is not asked if it is not
+/* Coordinates of x: rows of the adjugate n times x. In the plane n is not used if it is not
  * turned.
  */
 FMB_INLINE void local_frame_look(int dim, bool turned, lane a[3][3], lane n[3][3], const lane *x,

@@ -1,4 +1,4 @@
-/* transpose.h: numbers of records turned into lanes. */
+/* transpose.h: transposing numbers of records into lanes. */
 #ifndef FMB_PAIR_TRANSPOSE_H
 #define FMB_PAIR_TRANSPOSE_H
 

@@ -3,17 +3,17 @@
  *
  * In coordinates z of A's frame, A is |z_r| <= 1, and B, with all its places from t = 0 to 1, is
  * center + sum x_j g_j, |x_j| <= 1, over its D edges and, if it moves, the drift: n columns in all.
- * Eliminating x and D - 1 - k of the z leaves rows that use k columns S and speak of k + 1
- * coordinates R: by Cramer's rule their coefficients are the minors of the columns S in the rows R
- * but one, and what they say of center and of the other columns are the minors of R with one column
- * more. Such a row misses A iff
+ * Eliminating x and D - 1 - k of the z leaves rows that use k columns S and k + 1 coordinates R: by
+ * Cramer's rule their coefficients are the minors of the columns S in all rows of R but one, and
+ * their values on center and on the other columns are the minors of R with one column more. Such a
+ * row misses A iff
  *
  *     |minor of S, center| > sum over r of |minor of S in R less r|
  *                            + sum over j not in S of |minor of S, j|
  *
- * So all is made of minors, each from those with a row and a column less, by its last column. Those
- * of a level are in order of R, and for one R in that of minors_table.h: all sets whose largest
- * column is j stand in a row, and come from those of the columns before j in the same order.
+ * So everything consists of minors, each expanded along its last column into minors with a row and
+ * a column less. Those of a level are in order of R, and for one R in that of minors_table.h: all
+ * sets whose largest column is j are contiguous, in the order of those of the columns before j.
  *
  * Complete: A and B meet in interiors unless a facet of B - A keeps 0 out. D - 1 independent
  * vectors are parallel to it, p edges of A, q of B, and perhaps the drift (d = 1, else 0): in A's
@@ -34,7 +34,7 @@
 #include "pair/kernels/minors/minors_whole.h"
 #include "pair/kernels/open_rows.h"
 
-/* The gap of a face of the one that is looked from; sizes of entries. */
+/* The gap of a face of the frame whose coordinates are used; and sizes of entries. */
 FMB_INLINE lane minors_face(minors_kind d, minors_view *v, int r)
 {
     lane reach = v->unit, away = v->center[r], most = lane_of(1);
@@ -130,8 +130,8 @@ FMB_INLINE void minors_hear_rows(minors_kind d, const minors_view *v, int k, min
     minors_hear(said, minors_largest_gap(d, v, k, part, &rows, to), error);
 }
 
-/* The rows of k columns. True: all lanes are apart. Of four columns nothing of the loop is left,
- * and minors stay in registers; in more that would not fit the processor's cache of instructions.
+/* The rows of k columns. True: all lanes are apart. For four columns the loop is fully unrolled,
+ * and minors stay in registers; for more that would not fit the instruction cache.
  */
 FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part part,
                              minors_said *said)
@@ -193,7 +193,7 @@ FMB_INLINE void minors_look(minors_kind d, const lane *a, const lane *b, const l
     v->to = room;
 }
 
-/* Lanes whose bounds are so small that no product of five overflows. */
+/* The mask of lanes whose bounds are so small that no product of five overflows. */
 FMB_INLINE lane_mask minors_known(minors_kind d, const minors_view *v)
 {
     lane most = v->g[0];
@@ -212,7 +212,7 @@ FMB_INLINE lane minors_most(minors_kind d, const lane *shift, const lane *drift,
     return size;
 }
 
-/* What of level k is wanted of a side. */
+/* Which part of level k is needed for a side. */
 FMB_INLINE minors_part minors_part_of(minors_kind d, int side, int k)
 {
     return k < (d.n - 1 - side) / 2 ? MINORS_KEPT
@@ -258,7 +258,7 @@ FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said
     }
 }
 
-/* What is asked. */
+/* The kinds of questions. */
 typedef enum minors_how {
     MINORS_AT_0, /* what rows say; of moving simplices as at t = 0 */
     MINORS_AT_1,

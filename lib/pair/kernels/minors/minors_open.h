@@ -1,7 +1,7 @@
-/* minors_open.h: the rows of pairs side by side that errors leave open; the body of
+/* minors_open.h: lists the rows of a block of pairs that errors leave open; the body of
  * minors_open_*.c, which set FMB_LANES and name the function FMB_MINORS_LIST.
  *
- * Few pairs get here: nothing is unrolled, and all is there once for all dimensions.
+ * Few pairs get here: nothing is unrolled, and the code is shared by all dimensions.
  */
 #ifndef FMB_PAIR_MINORS_OPEN_H
 #define FMB_PAIR_MINORS_OPEN_H

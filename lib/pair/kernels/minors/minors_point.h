@@ -1,6 +1,6 @@
-/* minors_point.h: a point in both proves that they meet where no row can: edges of the two that are
- * parallel, or share a plane with others, make rows of zeros, whose gap is 0 but for errors, and
- * signs that are none.
+/* minors_point.h: a common point proves that frames meet where no row can: parallel edges of the
+ * two, or coplanar ones, give rows of zeros, whose gap is 0 up to errors, and whose signs are
+ * undefined.
  *
  * With |x_j| <= 1 the point center + sum x_j g_j is in B, at some time; if all its coordinates are
  * less than 1 then, with x drawn in a little, there is a point in the interiors of both. Such x are
@@ -61,7 +61,7 @@ FMB_INLINE lane minors_clamp(lane x, double most)
     return lane_max(lane_of(-most), lane_min(lane_of(most), x));
 }
 
-/* How far z is from where it is to be. */
+/* The distance of z from its required interval. */
 FMB_INLINE lane minors_off(minors_kind d, lane z)
 {
     if (d.simplices || d.from_simplex)

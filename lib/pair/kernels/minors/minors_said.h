@@ -1,4 +1,4 @@
-/* minors_said.h: what the rows of minors_kernel.h, or the tests of minors_signs.h, say together. */
+/* minors_said.h: the combined result of rows (minors_kernel.h) or tests (minors_signs.h). */
 #ifndef FMB_PAIR_MINORS_SAID_H
 #define FMB_PAIR_MINORS_SAID_H
 
@@ -9,8 +9,8 @@
 
 typedef struct minors_said {
     lane apart;      /* largest gap - its error: positive means apart */
-    lane meet;       /* largest gap + its error: negative means meet, if all rows were asked */
-    lane_mask known; /* elsewhere neither means anything */
+    lane meet;       /* largest gap + its error: negative means meet, if all rows were tested */
+    lane_mask known; /* in other lanes both are undefined */
 } minors_said;
 
 FMB_INLINE minors_said minors_silent(void)
@@ -18,7 +18,7 @@ FMB_INLINE minors_said minors_silent(void)
     return (minors_said){lane_of(-INFINITY), lane_of(-INFINITY), lane_less(lane_of(0), lane_of(1))};
 }
 
-/* Of some rows the largest gap, which has that error at most. */
+/* Add the largest gap of some rows, with its error bound. */
 FMB_INLINE void minors_hear(minors_said *said, lane gap, lane error)
 {
     said->apart = lane_max(said->apart, gap - error);

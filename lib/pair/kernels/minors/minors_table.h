@@ -1,4 +1,4 @@
-/* minors_table.h: subsets of up to eight numbers by number.
+/* minors_table.h: numbering of the subsets of up to eight numbers.
  *
  * Subsets of a size are counted in the order of their bits as binary numbers. So those of the
  * numbers below j come first, choose(j, size) of them, whatever else there is; then those with j as
@@ -87,13 +87,13 @@ static const uint64_t FMB_MINORS_EVEN_ABOVE[6] = {0x3cc3c33cc33c3cc3, 0xf00f0ff0
 static const uint64_t FMB_MINORS_OF_SIZE[4] = {0x0000000000000001, 0x0000000100010116,
                                                0x0001011601161668, 0x0116166816686880};
 
-/* How many of the four lowest bits are set. */
+/* The number of bits set among the four lowest. */
 static inline int fmb_minors_count(unsigned set)
 {
     return (int)((set & 1) + (set >> 1 & 1) + (set >> 2 & 1) + (set >> 3 & 1));
 }
 
-/* How many subsets of that size n numbers have. */
+/* The number of subsets of that size of n numbers. */
 static inline int fmb_minors_choose(int n, int size)
 {
     const int two = n * (n - 1) / 2, three = two * (n - 2) / 3, four = three * (n - 3) / 4;

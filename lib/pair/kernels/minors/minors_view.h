@@ -1,5 +1,4 @@
-/* minors_view.h: one cuboid in coordinates of another, and how far that may be off; see
- * minors_kernel.h. */
+/* minors_view.h: one cuboid in coordinates of another, with error bounds; see minors_kernel.h. */
 #ifndef FMB_PAIR_MINORS_VIEW_H
 #define FMB_PAIR_MINORS_VIEW_H
 
@@ -22,7 +21,7 @@ FMB_INLINE minors_kind minors_kind_of(int dim, int what)
     return (minors_kind){dim, dim + simplices + moves, simplices, moves, what / 2 == 2, false};
 }
 
-/* How one of the two sees the other: A is the simplex of one of each. */
+/* The kind of the view of one side; A is the simplex of one of each. */
 FMB_INLINE minors_kind minors_side(minors_kind d, int side)
 {
     d.from_cuboid = d.from_simplex && side == 1;
@@ -54,7 +53,7 @@ typedef struct minors_view {
     lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];
     lane center[FMB_MINORS_MOST_DIM + 1];
     lane g[FMB_MINORS_MOST_DIM + 1]; /* bounds of a row: docs/error-bounds.md */
-    lane unit;        /* the one that is looked from is |z_r| <= unit: 1, but as below */
+    lane unit; /* the frame whose coordinates are used is |z_r| <= unit: 1, except as below */
     const lane *from; /* minors of the level before: [rows][columns] */
     lane *to;         /* room for the next ones */
 } minors_view;

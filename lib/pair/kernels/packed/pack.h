@@ -1,12 +1,12 @@
-/* pack.h: records of a set (pair/packed/set.h) turned into lanes, and the loops over pairs and
+/* pack.h: records of a set (pair/packed/set.h) transposed into lanes, and the loops over pairs and
  * rows.
  *
  * Four rows of all lanes come from one load of each record and three shuffles a row at most: the
  * cost of a block is mainly that of the shuffles, not of the loads.
  *
- * Whoever includes this defines packed_ask before, which decides a block (packed_verdict.h), and
- * names the table FMB_PACKED_TABLE. It is inlined into the loops: in a row what concerns the one
- * frame alone, as its adjugate, is then computed once.
+ * A file that includes this defines packed_ask before, which decides a block (packed_verdict.h),
+ * and the name of the table, FMB_PACKED_TABLE. It is inlined into the loops: in a row, numbers of
+ * the one frame alone, such as its adjugate, are then computed once.
  */
 #ifndef FMB_PAIR_PACK_H
 #define FMB_PAIR_PACK_H
@@ -70,7 +70,7 @@ FMB_INLINE size_t count_record(int dim)
     return dim == 2 ? 8 : 16;
 }
 
-/* Blocks whose records are on their way to the processor; a power of two. */
+/* Blocks whose records are being prefetched; a power of two. */
 enum { PACKED_AHEAD = 4 };
 
 /* The records of one side of these blocks. */
@@ -106,7 +106,7 @@ FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, int shapes, const fmb
     return packed_ask(dim, moves, shapes, FMB_ASK_ALL, x->kind, block);
 }
 
-/* Pairs of x, in whole blocks, then those that are left, whose block repeats the last one. */
+/* Decide the pairs of x in full blocks; the last block is filled up by repeating the last pair. */
 FMB_INLINE bool packed_pairs(int dim, bool moves, int shapes, const fmb_packed_pairs *x,
                              fmb_verdict *out)
 {
@@ -292,7 +292,7 @@ FMB_INLINE fmb_packed_bits ask_eight_tiled(int dim, bool moves, int shapes, fmb_
     return out;
 }
 
-/* Those of frames 8 eight ... of a row that are not apart, after n others; how many there are now.
+/* Append those of the frames 8 eight ... of a row that are not apart to n others; their new number.
  */
 FMB_INLINE size_t collect_open(const fmb_packed_row *x, size_t eight, fmb_packed_bits bits,
                                uint16_t *open, size_t n)
@@ -320,12 +320,12 @@ FMB_INLINE void ask_open_lanes(bool moves, int shapes, const fmb_packed_row *x, 
     }
 }
 
-/* Eights of a row between two looks at how many frames are open. */
+/* Eights of a row between two counts of open frames. */
 enum { PACKED_LOOK = 8 };
 
-/* Most simplices of space are apart by a face of one of the two: those are asked of all, and what
- * is open then comes together in lanes of its own. Once half of them are open faces are no longer
- * asked first. (All rows are asked at one place only: they are long.) */
+/* Most simplices in space are separated by a face of one of the two: faces are tested for all
+ * frames, and frames still open are collected in separate lanes. Once half of the frames are open,
+ * faces are no longer tested first. (All rows are tested in one place only: their code is long.) */
 FMB_INLINE void packed_row_by_faces(bool moves, int shapes, const fmb_packed_row *x,
                                     const lane *one, fmb_packed_bits *out)
 {

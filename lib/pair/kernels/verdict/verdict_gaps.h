@@ -1,4 +1,4 @@
-/* verdict_gaps.h: what the rows of an elimination say together.
+/* verdict_gaps.h: the combined result of the rows of an elimination.
  *
  * The gap of a row, tested against A as a whole, is positive where it holds at no point of A. Rows
  * are in classes; the gaps of a class have one error bound, so only the largest of a class counts.
@@ -20,7 +20,7 @@ typedef struct fmb_kind {
 
 typedef struct fmb_gaps {
     lane apart; /* largest gap - its error: positive means apart */
-    lane meet;  /* largest gap + its error: negative means meet, if all rows were asked */
+    lane meet;  /* largest gap + its error: negative means meet, if all rows were tested */
 } fmb_gaps;
 
 FMB_INLINE fmb_gaps fmb_gaps_none(void)
@@ -41,7 +41,7 @@ FMB_INLINE lane fmb_gaps_speed(const local_frame *f)
     return lane_fma(lane_of(0x1p-100), f->most_e, f->most_drift);
 }
 
-/* A class whose largest gap has an error of at most count u bound. */
+/* Add a class whose largest gap has an error of at most count u bound. */
 FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, lane bound)
 {
     lane error = fmb_gaps_error(count, bound);
@@ -63,13 +63,13 @@ FMB_INLINE lane fmb_gaps_largest(int i, lane before, lane gap)
     return i == 0 ? gap : lane_max(before, gap);
 }
 
-/* They meet only where a number of that size is off by less: its sign is certain. */
+/* Let lanes meet only if a number of that size exceeds its error: then its sign is certain. */
 FMB_INLINE void fmb_gaps_certain(fmb_gaps *x, lane size, double count, lane bound)
 {
     x->meet = lane_max(x->meet, fmb_gaps_error(count, bound) - size);
 }
 
-/* Are all lanes apart already? Then no other row needs to be asked. */
+/* Are all lanes apart already? Then no other row needs to be tested. */
 FMB_INLINE bool fmb_gaps_done(const fmb_gaps *x, lane_mask known, fmb_pair_bits *out)
 {
     const unsigned all = (1U << FMB_LANES) - 1;
