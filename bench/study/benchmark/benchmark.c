@@ -1,8 +1,8 @@
 /* benchmark.c: see benchmark.h.
  *
- * Most families draw their sizes: of each instance a pool of candidates is drawn and sorted by rows
- * times variables, and size k is the middle one of its k-th fifth. Some grow with the size as well.
- * Verdicts and frames have a size for each number.
+ * Most families draw their sizes: for each instance a pool of candidates is drawn and sorted by
+ * rows times variables, and size k is the middle candidate of the k-th fifth. Some families grow
+ * with the size as well. Verdicts and frames have a fixed shape for each size.
  */
 #include "study/benchmark/benchmark.h"
 
@@ -14,7 +14,7 @@
 
 typedef struct description {
     const char *name, *field;
-    int larger;                 /* by so much than usual at size 5 (projection.h) */
+    int larger;                 /* growth at size 5 (projection.h) */
     study_benchmark_bodies *of; /* frames alone */
     const char *with,
         *without; /* verdicts alone: families of programs with and without solutions */
@@ -131,8 +131,7 @@ static fmb_status draw_candidate(int family, int size, uint64_t seed, study_proj
     return study_projection_draw_larger(projection_of(family), seed, larger, out);
 }
 
-/* The candidate that has `place` others before it, the smaller ones and of equal ones those of
- * lesser number. */
+/* The candidate at this place of the order by size; of equal sizes the lower number is first. */
 static int candidate_at(const size_t of[POOL], int place)
 {
     for (int c = 0; c < POOL; c++) {
@@ -162,7 +161,7 @@ static fmb_status draw_from_pool(int family, int size, int instance, study_proje
     return draw_candidate(family, size, first + (uint64_t)chosen, out);
 }
 
-/* Instances of odd number have no solution. */
+/* Odd instances are infeasible. */
 static fmb_status draw_verdict(const description *f, int size, int instance, study_projection *out)
 {
     study_program_plan plan;

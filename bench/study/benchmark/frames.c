@@ -1,4 +1,4 @@
-/* frames.c: see frames.h. Whole numbers, as in the small pairs of draw.c, from splitmix64. */
+/* frames.c: see frames.h. Small integers, as in the small pairs of draw.c, drawn by splitmix64. */
 #include "study/benchmark/frames.h"
 
 #include <fmb/frame.h>
@@ -26,8 +26,7 @@ static fmb_frame frame_of(const body *b, fmb_shape shape, int dim, bool moves)
     return (fmb_frame){shape, dim, dim, b->origin, b->axes, moves ? b->speed : NULL};
 }
 
-/* Coordinates of B stay: two of them, or one in the plane. Bodies with dependent axes are drawn
- * again. */
+/* Two coordinates of B are kept, one in the plane. Bodies with dependent axes are drawn again. */
 static fmb_status draw_pair(fmb_shape shape, bool moves, int size, int instance,
                             study_projection *out)
 {

@@ -38,8 +38,8 @@ static fmb_status time_way(const study_clock *c, const study_timed *way, double 
     return st;
 }
 
-/* One pass of each way. The way that begins changes, so that none always finds what the same other
- * one left in the caches. */
+/* One pass of each way. The first way changes from round to round, so that no way always follows
+ * the same other one and finds its caches. */
 static fmb_status one_round(const study_clock *c, size_t round, int pass, bool *goes_on)
 {
     size_t all = (size_t)(c->passes + 1) * c->ways;
@@ -108,7 +108,7 @@ static double sum(const study_clock *c, int pass, size_t way, size_t first, size
     return total;
 }
 
-/* The same of all passes; how many. */
+/* Likewise for each complete pass. Returns the number of passes. */
 static size_t sum_passes(const study_clock *c, size_t way, size_t first, size_t n,
                          double out[STUDY_CLOCK_MOST_PASSES])
 {
@@ -117,7 +117,7 @@ static size_t sum_passes(const study_clock *c, size_t way, size_t first, size_t 
     return (size_t)c->complete;
 }
 
-/* From seconds of all to ns of each. */
+/* From seconds of all queries to nanoseconds of one. */
 static study_spread per_query(study_spread s, size_t queries)
 {
     double scale = 1e9 / (double)queries;
@@ -139,7 +139,7 @@ study_ratio study_clock_ratio(const study_clock *c, size_t a, size_t b)
     return study_ratio_of_medians(x, y, passes);
 }
 
-/* The time of a query of each group, median of the passes [ns]; how many groups. */
+/* The time of a query of each group, median of the passes [ns]. Returns the number of groups. */
 static size_t group_medians(const study_clock *c, size_t way, double *out)
 {
     double x[STUDY_CLOCK_MOST_PASSES];

@@ -9,9 +9,9 @@
 
 #include "study/draw/draft.h"
 
-enum { RESAMPLES = 1000, BEYOND = 25, SEED = 1 }; /* so many at either end are no part of it */
+enum { RESAMPLES = 1000, BEYOND = 25, SEED = 1 }; /* BEYOND: ratios cut off at either end */
 
-/* Of n pairs; may change their order, each array for itself. */
+/* A statistic of n pairs; may sort each array by itself. */
 typedef double statistic(double *a, double *b, size_t n);
 
 static double divide_medians(double *a, double *b, size_t n)

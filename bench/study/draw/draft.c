@@ -46,7 +46,7 @@ void study_draw_whole(study_draft *d, int most, double *out, int n)
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
-/* The coordinates of a simplex, made to sum up to 1 with or without what its origin holds. */
+/* Normalizes the weights of a point of a simplex, the origin's weight included, to sum 1. */
 static void weigh(double *c, int n, double of_origin)
 {
     double sum = of_origin;

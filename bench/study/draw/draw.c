@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Everything lies evenly in -x ... x. */
+/* All numbers are uniform in -x ... x. */
 typedef struct range {
     const char *name;
     double axes, origin, speed;
@@ -32,7 +32,7 @@ bool study_family_parse(const char *word, study_family *out)
     return false;
 }
 
-/* Meeting or not, a pair comes from the same stream: it is drawn first and looked at then. */
+/* Meeting and disjoint pairs come from the same stream: a pair is drawn first and decided then. */
 gsl_rng *study_draw_begin(const study_class *c, unsigned long seed)
 {
     gsl_rng *g = gsl_rng_alloc(gsl_rng_mt19937);

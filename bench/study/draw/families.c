@@ -1,4 +1,4 @@
-/* families.c: what the pairs of each family are; see study/draw/pairs.h. */
+/* families.c: the pairs of each family; see study/draw/pairs.h. */
 #include "study/draw/draft.h"
 
 #include <math.h>
@@ -75,7 +75,7 @@ static double draw_time(study_draft *d)
     return gsl_rng_uniform(d->g);
 }
 
-/* Put a point of B's boundary at most `beside` away from one of A's, at some time. */
+/* At some time, a boundary point of B is off one of A by at most `beside` in each coordinate. */
 static void put_beside(study_draft *d, double beside)
 {
     double cp[STUDY_PAIR_MOST_DIM], cq[STUDY_PAIR_MOST_DIM], off[STUDY_PAIR_MOST_DIM];
@@ -134,7 +134,7 @@ static bool draw_in_contact(study_draft *d)
     return true;
 }
 
-/* A short axis in any direction, or a usual one that is off the others' plane by as little. */
+/* A short axis in any direction, or a long one that is off the span of the others by as little. */
 static double flatten(study_draft *d, int f)
 {
     double thin = study_coin(d) ? 1e-6 : 1e-8;
@@ -182,7 +182,7 @@ static void make_dependent(study_draft *d, int f)
                   (third == which ? 0 : by[1] * d->axes[f][third * dim + j]);
 }
 
-/* Everything of frame f, perhaps but its place, loses one coordinate. */
+/* Coordinate j of frame f becomes 0, except perhaps that of its origin. */
 static void lay_flat(study_draft *d, int f, int j, bool origin)
 {
     for (int i = 0; i < d->naxes[f]; i++)
@@ -268,7 +268,7 @@ static void draw_denormal(study_draft *d)
     else
         draw_touching(d);
     double by = ldexp(1, DOWN[study_choice(d, 6)]);
-    int which = study_choice(d, 4); /* usually both; or one, beside a corner of the other */
+    int which = study_choice(d, 4); /* mostly both; or one, beside a corner of the other */
     for (int f = 0; f < 2; f++)
         if (which != f)
             shrink(d, f, by);
@@ -286,7 +286,7 @@ static void stretch(study_draft *d, double by)
         scale(d->axes[f] + study_choice(d, d->naxes[f]) * d->dim, d->dim, by);
 }
 
-/* What does not move has one long axis in place of its way. */
+/* A frame that does not move has one long axis instead. */
 static void draw_swept(study_draft *d)
 {
     int far = 3 + study_choice(d, 20);
@@ -320,8 +320,8 @@ static double reach(const study_draft *d, int f)
     return most;
 }
 
-/* One in two pairs reaches nearly as far as doubles do, or not much beyond the least one. Common
- * points, and what is near them, are doubles; differences may not be. */
+/* One in two pairs has numbers near the largest or the smallest double. Coordinates of common
+ * points are doubles; differences may overflow or underflow. */
 static void draw_scaled(study_draft *d)
 {
     draw_any(d);
@@ -355,7 +355,7 @@ static void draw_spread(study_draft *d)
         scale_coordinate(d, j, ldexp(1, study_choice(d, 2 * most + 1) - most));
 }
 
-/* Every other number stays. */
+/* Scales every other number. */
 static void tear(study_draft *d, double *x, int n, int most)
 {
     for (int k = 0; k < n; k++)
@@ -363,8 +363,8 @@ static void tear(study_draft *d, double *x, int n, int most)
             x[k] = ldexp(x[k], -study_choice(d, most + 1));
 }
 
-/* The largest numbers are often about 1, as kernels want them, and products of the others vanish.
- */
+/* The largest numbers are often about 1, which the kernels accept, and products of the others
+ * underflow. */
 static void draw_ragged(study_draft *d)
 {
     static const int MOST[] = {20, 60, 400, 1080};

@@ -34,7 +34,7 @@ bool study_pair_family_parse(const char *word, study_pair_family *out)
 
 /* ---- one pair -------------------------------------------------------------------------------- */
 
-/* A seed of the stream: a step of it scatters what goes in. */
+/* A seed of the stream: one step of splitmix64 mixes the inputs. */
 static uint64_t scatter(uint64_t seed, uint64_t more)
 {
     uint64_t state;
@@ -105,7 +105,7 @@ fmb_status study_pairs_room(const study_pair_plan *plan, size_t n, study_pairs *
     return FMB_ERR_MEMORY;
 }
 
-/* The first n pairs that keep likes, from pair out->drawn on. */
+/* The first n pairs that keep accepts, from pair out->drawn on. */
 static void fill(const study_pair_plan *plan, uint64_t seed, size_t n,
                  bool (*keep)(void *self, const fmb_frame *p, const fmb_frame *q), void *self,
                  study_pairs *out)

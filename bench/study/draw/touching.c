@@ -1,10 +1,10 @@
 /* touching.c: pairs that touch; see draft.h.
  *
  * A normal n is drawn first. Some axes of A and of B are made perpendicular to it, perhaps parallel
- * to each other; they span the faces that touch. The others point away from the plane between. So A
- * lies on one side of it and B on the other, and a point of A's face and a point of B's are put
- * together. When something moves, they meet at the first moment and part, or are about to meet at
- * the last one, or slide along the plane.
+ * to each other; they span the faces that touch. The others point away from the separating plane.
+ * So A lies on one side of it and B on the other, and B is moved until a point of its face
+ * coincides with one of A's face. When something moves, they meet at the first moment and part, or
+ * are about to meet at the last one, or slide along the plane.
  */
 #include "study/draw/draft.h"
 
@@ -17,7 +17,7 @@ enum { SIXTEENTHS = 16 }; /* weights are multiples of 1/16: sums of products sta
 typedef struct maker {
     study_draft *d;
     bool whole;
-    int most; /* of a number drawn */
+    int most; /* bound of drawn numbers */
     double n[STUDY_PAIR_MOST_DIM], nn;
     double level[STUDY_PAIR_MOST_DIM][STUDY_PAIR_MOST_DIM]; /* A's directions in the plane */
     int levels;
@@ -70,7 +70,7 @@ static void draw_edge(maker *m, int f, double *x)
     m->levels += f == 0;
 }
 
-/* As long as the axis in that place is to be. */
+/* Scales x to the intended length of the axis in that place. */
 static void stretch(const maker *m, int f, int place, double *x)
 {
     for (int j = 0; j < m->d->dim; j++)

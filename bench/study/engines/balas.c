@@ -7,10 +7,10 @@
  * 2) = (1, 1) + (0, 1). This was found by Jing, Moreno Maza and Talaashrafi. As printed the rows
  * describe the image, but may not be minimal.
  *
- * If the image has full dimension the cone of all (v, v0) is pointed: were v x <= c and its reverse
- * in it, v x = c would hold. A ray is extreme if no other lies on all faces that it lies on; the
- * faces come from the hull of the rays.
- * Source: Balas 1998, Projection with a minimal system of inequalities; Jing and others 2020.
+ * If the image has full dimension the cone of all (v, v0) is pointed: if v x <= c and its reverse
+ * were in it, v x = c would hold. A ray is extreme if no other ray lies on all facets that contain
+ * it; the facets come from the hull of the rays. Source: Balas 1998, Projection with a minimal
+ * system of inequalities; Jing and others 2020.
  *
  * A number to check: of x + y <= 1, y - x <= 1, y <= 2 without x: 2 rows as printed, 1 mended.
  */
@@ -19,7 +19,7 @@
 #include <fmb/gmp.h>
 #include <stdlib.h>
 
-/* The entries of row i, its right side last. */
+/* The dense entries of row i, its right side last. */
 static void read_row(const fmb_system *s, size_t i, mpq_t *x, mpq_t a)
 {
     int n = fmb_system_dim(s);
@@ -32,7 +32,7 @@ static void read_row(const fmb_system *s, size_t i, mpq_t *x, mpq_t a)
     fmb_system_rhs_q(s, i, x[n]);
 }
 
-/* The apex, the rows as rays (v, v0), and (0, 1) as the last if it is wanted. */
+/* The apex, the rows as rays (v, v0), and last (0, 1) for the mended cone. */
 static fmb_status add_rays(const fmb_system *s, study_balas how, mpq_t *x, fmb_generators *g)
 {
     size_t rows = fmb_system_rows(s);
@@ -47,7 +47,7 @@ static fmb_status add_rays(const fmb_system *s, study_balas how, mpq_t *x, fmb_g
     return st == FMB_OK && how == STUDY_BALAS_MENDED ? fmb_generators_add_q(g, FMB_RAY, x) : st;
 }
 
-/* The sign of face f at generator i: 0 on it. */
+/* The sign of facet f at generator i: 0 if i lies on f. */
 static int measure(const fmb_system *faces, size_t f, const fmb_generators *g, size_t i, mpq_t *x)
 {
     mpq_t *sum = x, *a = x + 1, *c = x + 2;
@@ -61,7 +61,7 @@ static int measure(const fmb_system *faces, size_t f, const fmb_generators *g, s
     return mpq_sgn(*sum);
 }
 
-/* Does generator k lie on all faces that i lies on? */
+/* Does generator k lie on all facets that contain i? */
 static bool lies_with(const bool *on, size_t faces, size_t i, size_t k)
 {
     for (size_t f = 0; f < faces; f++)
@@ -95,7 +95,7 @@ static fmb_status keep_extreme(const fmb_system *s, const fmb_generators *g, con
     return st;
 }
 
-/* The cone's faces, none of them an equation of the whole; false: it is not pointed. */
+/* on: which generators lie on which facets, none of them an equation; false: not pointed. */
 static bool find_faces(const fmb_system *faces, const fmb_generators *g, mpq_t *x, bool *on)
 {
     size_t n = fmb_system_rows(faces), most = 0;
@@ -145,8 +145,8 @@ static fmb_status reduce(const fmb_system *s, study_balas how, mpq_t *x, fmb_sys
     return st;
 }
 
-/* Rows of block elimination without 0 <= 0, and without 0 <= positive: the ray (0, 1) stands for
- * these, or is not wanted. */
+/* Rows of block elimination without 0 <= 0 and 0 <= positive: the ray (0, 1) replaces these, or is
+ * not used. */
 static fmb_status copy_rows(const fmb_system *from, mpq_t *x, fmb_system *to, bool *is_empty)
 {
     int n = fmb_system_dim(from), *var = calloc((size_t)n + 1, sizeof *var);

@@ -1,13 +1,13 @@
 /* block.c: block elimination: all variables at once, by the rays of a cone.
  *
- * The multipliers that cancel the variables that go are the projection cone {y : y_i >= 0 unless
- * row i is an equation, y A_gone = 0}. Its rays and lines are found by double description, and each
- * makes a row y A_kept x <= y b: strict if y is positive on a strict row, an equation for a line.
- * Every combination of rows that cancels these variables is a sum of such ones, so they describe
- * the projection (Farkas' lemma); a sum is strict only if a part of it is. Of two rays none has its
- * support inside the other's, so these are the rows that Chernikov's rule leaves in the end, and
- * redundant ones are among them.
- * Source: Chernikov 1960; Balas, Pulleyblank 1983; the name after Jing and others 2020.
+ * The multipliers that cancel the eliminated variables form the projection cone {y : y_i >= 0
+ * unless row i is an equation, y A_gone = 0}. Its rays and lines are found by double description,
+ * and each makes a row y A_kept x <= y b: strict if y is positive on a strict row, an equation for
+ * a line. Every combination of rows that cancels these variables is a nonnegative sum of such rows,
+ * so they describe the projection (Farkas' lemma); a sum is strict only if a summand is. No ray has
+ * its support inside another's, so these are the rows that Chernikov's rule keeps in the end, some
+ * of them redundant. Source: Chernikov 1960; Balas, Pulleyblank 1983; the name after Jing and
+ * others 2020.
  *
  * A number to check: of |x1| + ... + |x4| <= 1, written as 16 rows, without x1, x2, x3: 48 rays, of
  * which 28 name x4 (lib/rule/chernikov.c counts them).
@@ -56,7 +56,7 @@ static fmb_status build_cone(const fmb_system *s, const int *keep, int n, fmb_sy
     return st;
 }
 
-/* The row that generator g makes. entry[n + 1], and three more numbers to work with. */
+/* The row whose multipliers are generator g. entry[n + 1], and three more numbers as scratch. */
 static fmb_status add_combination(const fmb_system *s, const int *keep, int n,
                                   const fmb_generators *of, size_t g, int *var, mpq_t *entry,
                                   fmb_system *out)

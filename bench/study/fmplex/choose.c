@@ -1,14 +1,14 @@
-/* choose.c: which variable goes next, and by which of its bounds. Any choice is right. */
+/* choose.c: which variable to eliminate next, by which of its bounds. Any choice is correct. */
 #include "study/fmplex/path.h"
 
-/* Nodes to try below, less 1: none besides one for an equality or bounds of one sign. */
+/* The number of children, less 1: 0 for an equality or bounds of one sign. */
 static size_t branches(const study_plexpath *g, int j)
 {
     size_t least = g->lower[j] < g->upper[j] ? g->lower[j] : g->upper[j];
     return g->equal[j] > 0 || least == 0 ? 0 : least;
 }
 
-/* Is column j better than k: fewer branches, then fewer rows to make? */
+/* Is column j better than k: fewer children, then fewer rows to form? */
 static bool is_better(const study_plexpath *g, int j, int k)
 {
     size_t a = branches(g, j), b = branches(g, k);
@@ -31,7 +31,7 @@ static int choose_var(const study_plexpath *g)
     return best;
 }
 
-/* Is the bound that a puts on var, where all other variables are 0, tighter than b's? */
+/* With all other variables 0, is a's bound on var tighter than b's? */
 static bool is_tighter(const study_plexpath *g, const study_plexrow *a, const study_plexrow *b,
                        size_t var)
 {

@@ -1,9 +1,9 @@
-/* conflict.c: what a clash says about the nodes above it; the proof is in fmplex.c.
+/* conflict.c: what a false row implies for the nodes above it; the proof is in fmplex.c.
  *
  * A row made from p and the bound q of the node above is (alpha p + beta q) / content, where alpha
  * = |q_c| and |beta| = |p_c| make column c vanish. Node by node, weights of rows become weights of
- * the rows they come from; at most one row more each time, so that n + 3 places are enough. Weights
- * are integers, as only their ratios count.
+ * their parents; each node adds at most one row, so that n + 3 places are enough. Weights are
+ * integers, as only their ratios count.
  */
 #include "study/fmplex/path.h"
 
@@ -41,7 +41,7 @@ static mpz_ptr place_of(study_plexpath *g, study_plexrow *r)
     return g->weight[r->slot - 1];
 }
 
-/* Take row i out: the last one takes its place. */
+/* Remove row i: the last row takes its place. */
 static void remove_active(study_plexpath *g, size_t i)
 {
     g->active[i]->slot = 0;
@@ -52,9 +52,8 @@ static void remove_active(study_plexpath *g, size_t i)
     }
 }
 
-/* weight / content, content made 1: all others are multiplied instead, as far as it does not
- * divide.
- */
+/* The weight `part` over content: as far as content does not divide it, all other weights are
+ * multiplied instead. */
 static void divide(study_plexpath *g)
 {
     mpz_gcd(g->t, g->part, g->content);
@@ -65,7 +64,7 @@ static void divide(study_plexpath *g)
             mpz_mul(g->weight[i], g->weight[i], g->content);
 }
 
-/* Divide all weights by what they have in common. */
+/* Divide all weights by their greatest common divisor. */
 static void shorten(study_plexpath *g)
 {
     mpz_set_ui(g->t, 0);
@@ -110,9 +109,9 @@ static bool is_implied(const study_plexpath *g, const study_plexnode *at)
            mpz_sgn(g->weight[at->via->slot - 1]) < 0;
 }
 
-/* The bound to try after the one that is dropped: among those of the same side that imply it, the
- * one with the largest part in that. There is one: the conflict does not name var, so what the
- * dropped row adds to its column others of its sign must add, too. */
+/* The bound to try after the dropped one: of the bounds on the same side that imply it, the one
+ * with the largest weight times coefficient. One exists: the others add up to a positive multiple
+ * of the dropped row, so one of them has the same sign in column var. */
 static study_plexrow *heir(study_plexpath *g, const study_plexnode *at)
 {
     size_t var = (size_t)at->var;

@@ -44,7 +44,7 @@ void study_plexpath_cap(const study_plexpath *g, study_plexnode *at, const study
 
 /* ---- nodes ----------------------------------------------------------------------------------- */
 
-/* Room for new rows. No other node looks into this one now. */
+/* Room for new rows. No other node points into this one now. */
 static fmb_status reserve(study_plexpath *g, study_plexnode *at, size_t rows)
 {
     fmb_mem *mem = g->run->mem;
@@ -59,7 +59,7 @@ static fmb_status reserve(study_plexpath *g, study_plexnode *at, size_t rows)
     return st;
 }
 
-/* A row begins (by = 1) or ceases (by = -1) to be live in the node at hand. */
+/* A row begins (by = 1) or ceases (by = -1) to be live in the current node. */
 static void count(const study_plexpath *g, const study_plexrow *r, int by)
 {
     for (size_t j = 0; j < (size_t)g->n; j++) {
@@ -80,7 +80,7 @@ static void empty(study_plexpath *g, study_plexnode *at)
     at->via = NULL;
 }
 
-/* Back to the node above: the counts become its own again. */
+/* Back to the node above: restores its counts. */
 static void ascend(study_plexpath *g)
 {
     study_plexnode *at = &g->node[g->depth--], *above = &g->node[g->depth];
@@ -131,7 +131,7 @@ static study_plexrow *open_row(study_plexpath *g, study_plexnode *at)
     return r;
 }
 
-/* A row that names a variable becomes live, a false one the clash; others go. */
+/* A row that names a variable becomes live, a false one the clash; true ones are dropped. */
 static void close_row(study_plexpath *g, study_plexnode *at, study_plexrow *r)
 {
     if (!is_constant(g, r)) {
@@ -169,7 +169,7 @@ static fmb_status combine(study_plexpath *g, study_plexnode *at, const study_ple
     return st != FMB_OK ? st : fmb_run_poll(g->run);
 }
 
-/* Rows without var stay as they are; the others go. Number of these. */
+/* Rows without var are inherited. Returns the number of the others. */
 static size_t inherit(study_plexpath *g, study_plexnode *at, const study_plexnode *above)
 {
     size_t gone = 0;

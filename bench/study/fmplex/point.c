@@ -1,9 +1,9 @@
 /* point.c: a solution, from a node whose rows name no variable.
  *
- * d becomes a number: the largest 2^-k that no cap of the path forbids, so that everything found
- * true for small d is true for it. Then, from the last node up, the values of the variables below
- * satisfy every row that the node's via and var made, which says that var fits between the bounds
- * it has there; rows dropped follow from them.
+ * The infinitesimal d becomes the largest 2^-k within all caps of the path, so that everything
+ * found true for small d is true for it. Then, from the last node up, the values of the variables
+ * below satisfy every row made with the node's via and var, so that var fits between its bounds
+ * there; dropped rows follow from the others.
  */
 #include "elim/round/witness.h"
 #include "study/fmplex/path.h"

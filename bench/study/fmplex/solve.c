@@ -1,4 +1,4 @@
-/* solve.c: FMplex in the place of fmb_solve's engines: the same parts, limits and claims. */
+/* solve.c: FMplex in place of fmb_solve's engines: the same parts, limits and claims. */
 #include "solve/query/solver.h"
 #include "study/fmplex/fmplex.h"
 

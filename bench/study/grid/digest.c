@@ -8,7 +8,7 @@
 
 /* Sums on the way to ratios. */
 typedef struct sums {
-    double kept[2], lived[2]; /* of base, of the way looked at, where both decided */
+    double kept[2], lived[2]; /* of base, of the way, where both decided */
     double *base, *way;       /* [s], one for each system timed */
     size_t gains, losses;
 } sums;

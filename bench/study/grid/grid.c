@@ -9,10 +9,10 @@
 
 enum { MOST_PASSES = 10 }; /* with the one that does not count */
 
-/* How long the reference may think about one question [s]. */
+/* Time limit of the reference for one question [s]. */
 static const double REFERENCE_SECONDS = 20;
 
-/* What runs while a study runs. */
+/* The state of a running study. */
 typedef struct bench {
     study_grid *g;
     study_reference reference;
@@ -28,7 +28,7 @@ static bool go_on(bench *b, fmb_solver *v)
     return !b->g->step || b->g->step(b->g->self, b->done++, b->all);
 }
 
-/* Systems go to shards in turn; the others are drawn, and left. */
+/* Systems are dealt to the shards in turn; those of other shards are drawn and skipped. */
 static bool is_mine(const study_grid *g, size_t k, size_t i)
 {
     return g->shards == 0 || (k + i) % g->shards == g->shard - 1;
@@ -82,8 +82,8 @@ static fmb_status put_drawn(study_sample *sample, fmb_system *s, fmb_verdict tru
     return st;
 }
 
-/* Draw until the sample is full of pairs that meet, or do not, as its class says. Classes in which
- * the rarer answer does not come up in a thousand draws for each one wanted stay smaller. */
+/* Draw until the sample is full of meeting or of disjoint pairs, as its class says. If that takes
+ * more than a thousand draws for each wanted pair, the sample stays smaller. */
 static fmb_status draw_sample(bench *b, study_sample *sample)
 {
     size_t wanted = b->g->per_class, draws = 1000 * wanted;
@@ -192,8 +192,8 @@ size_t study_grid_turn(const study_grid *g, size_t sample, size_t pass, size_t p
     return (row + (place % 2 == 1 ? (place + 1) / 2 : n - place / 2)) % n;
 }
 
-/* One pass of one way over all systems of a sample; what was stopped once is not tried again. Of a
- * system without solutions there is nothing to project. */
+/* One pass of one way over all systems of a sample; a query that was stopped once is not repeated.
+ * Infeasible systems are not projected. */
 static fmb_status time_pass(bench *b, size_t k, size_t way, size_t pass, double *seconds,
                             progress *how)
 {

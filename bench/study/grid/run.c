@@ -1,5 +1,5 @@
-/* run.c: see run.h. The counts come from the events of the query, so that they are those of the
- * elimination whatever else the query does. */
+/* run.c: see run.h. The counts come from the events of the query, so that they count the
+ * elimination alone, whatever else the query does. */
 #include "study/grid/run.h"
 
 #include <string.h>

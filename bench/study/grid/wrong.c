@@ -1,4 +1,4 @@
-/* wrong.c: see wrong.h. Rows are left out one by one, as long as the answer stays wrong. */
+/* wrong.c: see wrong.h. Rows are removed one by one, as long as the answer stays wrong. */
 #include "study/grid/wrong.h"
 
 #include <fmb/session.h>
@@ -12,7 +12,7 @@ typedef struct hunt {
     fmb_solver *editor; /* whose loaded system loses a row */
 } hunt;
 
-/* How long the reference may think about one question [s]. */
+/* Time limit of the reference for one question [s]. */
 static const double REFERENCE_SECONDS = 20;
 
 static fmb_status goes_wrong(hunt *h, fmb_system *s, bool *wrong)
@@ -39,7 +39,7 @@ static fmb_status copy_without(hunt *h, const fmb_system *s, size_t row, fmb_sys
     return st == FMB_OK ? fmb_system_copy(fmb_solver_system(h->editor), out) : st;
 }
 
-/* Leave out one row of *s, if that can be: the last that can. */
+/* Remove the last row of *s without which the answer is still wrong, if there is one. */
 static fmb_status drop_row_of(hunt *h, fmb_system **s, bool *dropped)
 {
     fmb_status st = FMB_OK;

@@ -1,4 +1,4 @@
-/* dress.c: systems in another dress. See program.h. */
+/* dress.c: rescaled, perturbed and thinned systems. See program.h. */
 #include <stdlib.h>
 
 #include "study/program/program.h"
@@ -108,7 +108,7 @@ fmb_status study_system_rescale(const fmb_system *s, int most, uint64_t seed, in
 
 /* ---- fractions ------------------------------------------------------------------------------- */
 
-/* q becomes p/d, d drawn with as many digits as least, p one of the ten numbers from q d on. */
+/* q becomes p/d, d drawn with the digits of least, p one of the ten integers from floor(q d) on. */
 static void make_fraction(mpq_t q, int64_t least, study_random *g, mpz_t d, mpz_t p)
 {
     if (mpq_sgn(q) == 0)
@@ -122,8 +122,8 @@ static void make_fraction(mpq_t q, int64_t least, study_random *g, mpz_t d, mpz_
     mpq_canonicalize(q);
 }
 
-/* The numbers of a row. Those of an equality get one factor, as equalities that depend on each
- * other would contradict each other otherwise. */
+/* The numbers of a row. An equality is multiplied by one factor, as otherwise linearly dependent
+ * equalities would contradict each other. */
 static void make_fractions(row_copy *r, fmb_rel rel, int64_t least, study_random *g, mpz_t d,
                            mpz_t p)
 {

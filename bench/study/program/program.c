@@ -1,4 +1,4 @@
-/* program.c: the table of families, and a program of one of them. See program.h. */
+/* program.c: the table of families, and how a program is drawn. See program.h. */
 #include "study/program/program.h"
 
 #include <stdlib.h>

@@ -11,10 +11,10 @@ static const double epsilon = 1e-7; /* of the article: absolute, in units of the
 
 enum { MOST_ROWS = 1 << 20, LEVELS = STUDY_ROWS_MOST_DIM + 1 };
 
-/* Inlined, so that the usual numbers of variables are constants, as the program has them. */
+/* Inlined, so that the common numbers of variables are constants, as in the article's program. */
 #define ARTICLE_INLINE static inline __attribute__((always_inline))
 
-/* The rows over the variables from a certain one on, the right side last. */
+/* The rows over the variables from some k on, the right side last. */
 typedef struct level {
     double *a; /* [m][columns] */
     size_t m, capacity;
@@ -25,7 +25,7 @@ struct study_article {
     level at[LEVELS]; /* at[k]: over the variables k, k + 1, ... */
 };
 
-/* How far one came. */
+/* How far the test has come. */
 typedef enum progress { GOES_ON, REFUTED, NO_INVERSE, TOO_MANY, NO_MEMORY } progress;
 
 fmb_status study_article_new(study_article **out)
@@ -46,7 +46,7 @@ void study_article_free(study_article *w)
     free(w);
 }
 
-/* Room for so many rows more. */
+/* Room for `more` rows. */
 static inline bool reserve(level *to, size_t more)
 {
     if (to->m + more <= to->capacity)
@@ -62,7 +62,7 @@ static inline bool reserve(level *to, size_t more)
 
 /* ---- the rows -------------------------------------------------------------------------------- */
 
-/* x if it is negative, else 0: nobody foresees which, so without a branch, as in the program. */
+/* min(x, 0): unpredictable, so without a branch, as in the article's program. */
 ARTICLE_INLINE double negative_part(double x)
 {
     return (x - fabs(x)) / 2;
@@ -107,7 +107,7 @@ ARTICLE_INLINE progress put_facets(int dim, int n, const fmb_frame *p, const stu
     return is_refuted(row, n, 0) ? REFUTED : GOES_ON;
 }
 
-/* c <= 1, or their sum <= 1; 0 <= c; 0 <= t <= 1. Where the rows end. */
+/* c <= 1, or their sum <= 1; 0 <= c; 0 <= t <= 1. Returns the end of the rows. */
 ARTICLE_INLINE double *put_bounds(int dim, int n, const fmb_frame *q, double *row)
 {
     size_t size = (size_t)(n + 1) * sizeof *row;
@@ -167,14 +167,14 @@ static progress load(const fmb_frame *p, const fmb_frame *q, int n, level *to)
 
 /* ---- elimination ----------------------------------------------------------------------------- */
 
-/* -1, 0, 1: as the article asks for it, of either row. */
+/* -1, 0, 1: computed for both rows of a pair, as in the article. */
 ARTICLE_INLINE int sign_of(double x)
 {
     return (0 < x) - (x < 0);
 }
 
-/* Add the pairs of p and the rows after it, each over its |first coefficient|, from row on. Where
- * they end; NULL if one is refuted. */
+/* Writes the combinations of p with the later rows, each over its |first coefficient|, from `row`
+ * on. Returns their end; NULL if one is refuted. */
 ARTICLE_INLINE double *pair_rows(const double *p, const double *end, int columns, double *row)
 {
     double over_p = fabs(p[0]), rest = p[columns] / over_p;
@@ -208,8 +208,8 @@ static size_t count_rows_of_next_level(int columns, const level *from)
     return above * below + from->m - above - below;
 }
 
-/* Room for them. The program has arrays that sufficed: they are counted where m rows could make
- * more than there is room for, at most m^2 / 4 and m. */
+/* Room for the next level. The article's program has arrays of fixed size: here the rows are
+ * counted if m rows could make more than fit, at most m^2 / 4 + m. */
 ARTICLE_INLINE progress make_room(int columns, const level *from, level *to)
 {
     if (from->m * from->m / 4 + from->m <= to->capacity)
@@ -218,8 +218,8 @@ ARTICLE_INLINE progress make_room(int columns, const level *from, level *to)
     return most > MOST_ROWS ? TOO_MANY : reserve(to, most) ? GOES_ON : NO_MEMORY;
 }
 
-/* The first variable goes: every pair of opposite signs in the order of the rows, then the rows
- * without it. */
+/* Eliminate the first variable: every pair of opposite signs in the order of the rows, then the
+ * rows without it. */
 ARTICLE_INLINE progress eliminate_into(int columns, const level *from, level *to)
 {
     const double *end = from->a + from->m * (size_t)(columns + 1);
@@ -286,7 +286,7 @@ static double loosest(const double *row, int columns, const double (*box)[2])
     return rest / row[0];
 }
 
-/* Another variable, box[0]. */
+/* The interval of a variable other than the last, box[0]. */
 static void bound_first(const level *rows, study_article_box_kind kind, double (*box)[2])
 {
     double *end = box[0];
@@ -338,7 +338,7 @@ static void export_box(const fmb_frame *q, int n, study_article_box_kind kind,
 
 /* ---- the test -------------------------------------------------------------------------------- */
 
-/* Down to one variable. */
+/* Eliminate down to one variable. */
 static progress go_down(study_article *w, const fmb_frame *p, const fmb_frame *q, int n)
 {
     progress at = load(p, q, n, &w->at[0]);

@@ -1,7 +1,7 @@
 /* gpr.c: see gpr.h.
  *
- * Face i of a tetrahedron gives each point x a height h_i(x), linear in x, not negative for all i
- * exactly if x is in the tetrahedron: three are its coordinates in the frame times |det|, the
+ * Face i of a tetrahedron gives each point x a height h_i(x), affine in x; x is in the tetrahedron
+ * if and only if all heights are >= 0. Three are the coordinates of x in the frame times |det|, the
  * fourth is |det| less their sum.
  *
  * Disjoint polytopes have a plane between them that contains a face of one of them, or an edge of
@@ -13,14 +13,14 @@
  * with u_i < 0 <= u_j to v with v_j < 0 <= v_i, and passing the origin above or through it,
  * u_i v_j - u_j v_i <= 0.
  *
- * Which of the heights are negative is kept as bits, and answers nearly all of this: heights
- * themselves are needed for pairs of vertices on two sides only.
+ * The signs of the heights are kept as bits, which decide nearly everything: the heights themselves
+ * are needed only for pairs of vertices on two sides.
  */
 #include "study/rivals/gpr.h"
 
 #include <math.h>
 
-/* The vertices of one tetrahedron as the other sees them. */
+/* The heights of the vertices of one tetrahedron over the faces of the other. */
 typedef struct heights {
     double at[4][4]; /* [face][vertex] */
     unsigned out[4]; /* [face] bit v: vertex v is outside of it */
@@ -38,8 +38,8 @@ static double dot(const double *x, const double *y)
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-/* Heights of the vertices of q over a face of p with that inner normal; that of q's corner is base.
- * False if all are outside. */
+/* Heights of the vertices of q over a face of p with that inner normal; base is that of q's corner.
+ * False if all are negative. */
 static bool measure(const fmb_frame *q, const double *normal, double base, int face, heights *h)
 {
     double *to = h->at[face];

@@ -19,8 +19,8 @@ static void swap_rows(double *p, double *q, int n)
     }
 }
 
-/* Any number of axes: Gauss-Jordan on (axes | 1), the largest pivot of each column; w becomes
- * (1 | inverse). The determinant. */
+/* Any number of axes: Gauss-Jordan on (axes | 1), the largest pivot of each column; w becomes (1 |
+ * inverse). Returns the determinant. */
 static double reduce(int dim, double w[D][2 * D])
 {
     double det = 1;

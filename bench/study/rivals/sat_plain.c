@@ -1,12 +1,12 @@
 /* sat_plain.c: see sat_plain.h.
  *
  * Two convex polytopes are apart iff a normal of a face of one of them, or a cross product of an
- * edge of each, separates them; in the plane, a normal of an edge. Seen from P, a moving Q sweeps
- * the sum of Q and the segment of its way: a polytope that has that way as one more edge.
+ * edge of each, separates them; in the plane, a normal of an edge. Relative to P, a moving Q sweeps
+ * the Minkowski sum of Q and the segment of its path: a polytope with one more edge direction.
  *
- * The cost is the article's, too: on each axis all corners are added up anew, each is compared with
- * what came before it, and those of Q once more where the way ends. The order of the axes is that
- * of its program, for it decides what a pair that is apart costs.
+ * The cost is the article's, too: for each axis all corners are computed anew and compared with the
+ * extremes so far, those of Q once more at the end of the path. The order of the axes, which
+ * decides the cost of disjoint pairs, is that of the article's program.
  */
 #include "study/rivals/sat_plain.h"
 
@@ -17,13 +17,13 @@ enum { MOST_EDGES = 6 };
 /* Compiled once for each number of dimensions. */
 #define SAT_PLAIN_INLINE static inline __attribute__((always_inline))
 
-/* A frame by its numbers, wherever they are. */
+/* Pointers to the numbers of a frame. */
 typedef struct body {
     fmb_shape shape;
     const double *origin, *axes, *speed;
 } body;
 
-/* Both frames, and the way of Q as P sees it; NULL if nothing moves. */
+/* Both frames, and the path of Q relative to P; NULL if nothing moves. */
 typedef struct scene {
     body p, q;
     const double *way;
@@ -57,7 +57,7 @@ SAT_PLAIN_INLINE void widen(double x, double *ends)
         ends[1] = x;
 }
 
-/* Where f lies on the axis, on all of its way. */
+/* The interval of f on the axis, over all of its path. */
 SAT_PLAIN_INLINE void project_corners(int dim, const body *f, const double *way, const double *axis,
                                       double *ends)
 {
@@ -122,7 +122,7 @@ SAT_PLAIN_INLINE bool apart_in_plane(const scene *s)
 
 /* ---- in space -------------------------------------------------------------------------------- */
 
-/* In all directions: the axes, and of a simplex their differences. */
+/* All edge directions: the axes, and for a simplex their differences. */
 typedef struct edges {
     int n;
     const double *edge[MOST_EDGES];
@@ -149,7 +149,7 @@ static bool cross_separates(const scene *s, const double *a, const double *b)
     return separates(3, s, axis);
 }
 
-/* Two axes span a face, and two differences of axes the last of a simplex. */
+/* Two axes span a face; two differences of axes span the last face of a simplex. */
 static bool faces_separate(const scene *s, const edges *of)
 {
     return (of->n > 3 && cross_separates(s, of->edge[3], of->edge[4])) ||

@@ -1,14 +1,14 @@
 /* seidel.c: see seidel.h.
  *
- * A program asks for the largest w.x with x in the unit box and rows a x <= b. Without rows, the
- * optimum is a corner of the box. Say x is the optimum over the rows so far and the next row, a x
- * <= b, cuts it off. Then an optimum over all of them, if any, has a x = b: the way to it from x
- * stays feasible for the rows so far, does not lose objective, and crosses the plane. On the plane,
- * the variable k with the largest |a_k| is (b - the rest) / a_k, put into all rows and w; its own
+ * A program maximizes w.x for x in the unit box subject to rows a x <= b. Without rows, the optimum
+ * is a corner of the box. Say x is the optimum over the rows so far and the next row, a x <= b,
+ * cuts it off. Then an optimum over all of them, if any, has a x = b: the segment from any optimum
+ * to x satisfies the rows so far, crosses the plane, and loses no objective. On the plane, the
+ * variable k with the largest |a_k| is (b - the rest) / a_k, put into all rows and w; its own
  * bounds 0 <= x_k <= 1 become two rows more. With one variable left, rows are ends of an interval.
  *
  * Rows are scaled to a largest coefficient of 1. Many planes may pass through an optimum (a corner
- * of the unit simplex is one of the box, too), so a row that is hurt by rounding alone must not
+ * of the unit simplex is one of the box, too), so a row that is violated by rounding alone must not
  * count as cutting: hence the tolerance.
  */
 #include "study/rivals/seidel.h"
@@ -18,11 +18,11 @@
 
 #include "study/draw/draft.h"
 
-static const double tolerance = 0x1p-48; /* some roundings of the largest coefficient of a row */
+static const double tolerance = 0x1p-48; /* a few roundings of a row's largest coefficient */
 
 enum {
     MOST_N = STUDY_ROWS_MOST_COLUMNS - 1,
-    MOST_ROWS = STUDY_ROWS_MOST + 2 * MOST_N /* two more for each variable on the way down */
+    MOST_ROWS = STUDY_ROWS_MOST + 2 * MOST_N /* two more for each substituted variable */
 };
 
 typedef struct program {
@@ -148,7 +148,7 @@ static bool solve(program *g, uint64_t *random, double *x)
     return true;
 }
 
-/* Put in a row, scaled, unless all of the unit box satisfies it. */
+/* Add a row, scaled, unless all of the unit box satisfies it. */
 static void put_row(program *g, const double *row)
 {
     double *to = g->a[g->m], greatest = 0, most = fabs(row[largest(row, g->n)]);

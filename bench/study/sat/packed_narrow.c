@@ -1,4 +1,4 @@
-/* packed_narrow.c: what every processor has; see packed.h. */
+/* packed_narrow.c: for every processor; see packed.h. */
 #if defined __SSE2__ && !defined FMB_LANE_PLAIN
 #define FMB_LANES 2
 #else

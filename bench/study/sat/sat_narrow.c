@@ -1,5 +1,5 @@
-/* sat_narrow.c: what every processor has: two pairs at a time on x86-64, elsewhere one; see sat.h.
- * A test names the table otherwise, and wants C alone. */
+/* sat_narrow.c: for every processor: two pairs at a time on x86-64, elsewhere one; see sat.h. A
+ * test renames the table and uses plain C. */
 #if defined __SSE2__ && !defined FMB_LANE_PLAIN
 #define FMB_LANES 2
 #else

@@ -1,9 +1,9 @@
-/* main.c: how long each way of a projection takes on problems of all families, with what the
- * problems are like: a JSON object a line, which fit.py reads. See ../../README.md.
+/* main.c: the time of each method of projection on problems of all families, with the features of
+ * the problems: one JSON object a line, which fit.py reads. See ../../README.md.
  *
- * An arm is a method, or an engine of the portfolio, or the best of those behind bounded
- * elimination. All arms of a problem run one after another in this process, on its own processor
- * time; one that takes longer than the limit is minus that.
+ * An arm is a method, or an engine of the portfolio, or the best engine behind bounded elimination.
+ * All arms of a problem run one after another in this process and are timed by its processor time;
+ * an arm that exceeds the limit is written as minus the limit.
  */
 #define _DEFAULT_SOURCE /* setitimer */
 #include <inttypes.h>
@@ -35,12 +35,12 @@ static const char USAGE[] =
 typedef struct setup {
     uint64_t first, each;
     double seconds;
-    bool singles, choice; /* arms are methods of a user's, or only what the library chooses */
-    int more;             /* variables stay than usual */
+    bool singles, choice; /* arms: the user's methods, or only the library's choice */
+    int more;             /* kept variables than usual */
     int from, to;         /* families */
 } setup;
 
-/* What the library chooses, and then methods that do one thing. */
+/* The library's choice, then methods that use one engine. */
 static const struct {
     const char *name;
     fmb_method method;
@@ -49,7 +49,7 @@ static const struct {
               {"double description", FMB_METHOD_DD},
               {"support queries", FMB_METHOD_HULL}};
 
-/* Then each engine that takes turns, alone; then the best of them behind bounded elimination. */
+/* Then each engine of the portfolio alone; then the best of them behind bounded elimination. */
 static const char *const MORE[] = {
     [FMB_ENGINE_RAYS] = "rays alone",
     [FMB_ENGINE_ELIMINATION] = "pruned elimination alone",
@@ -69,7 +69,7 @@ static const char *name_of_arm(int arm)
     return arm < SINGLES ? SINGLE[arm].name : MORE[arm - SINGLES];
 }
 
-#define STEP 0.8e-9 /* [s] that a step of work takes */
+#define STEP 0.8e-9 /* [s] of a step of work */
 
 /* The engine that ended first, or the first one. */
 static int find_best_engine(const double *took)
@@ -81,11 +81,11 @@ static int find_best_engine(const double *took)
     return best - SINGLES;
 }
 
-/* [steps] An engine that is taken to need so many is asked once others have given up: rays may. */
+/* [steps] An engine with such an estimate runs only after the others gave up, as rays may. */
 #define AFTER_ALL 0x1p60
 
-/* What the library would choose if it knew that. Bounded elimination may take as long as the best
- * engine (lib/trace/run.h). */
+/* The choice of the library if it knew these times. Bounded elimination may take as long as the
+ * best engine (lib/trace/run.h). */
 static fmb_choice choice_of_arm(int arm, const double *took)
 {
     int engine = arm < BOUNDED ? arm - SINGLES : find_best_engine(took);
@@ -97,7 +97,7 @@ static fmb_choice choice_of_arm(int arm, const double *took)
     return c;
 }
 
-/* Of the largest part that was heard of. */
+/* Features of the largest connected part in the events. */
 typedef struct heard {
     bool any;
     size_t entries;
@@ -123,7 +123,7 @@ static void hear_part(void *self, const fmb_features *f, const fmb_reduced_part 
         h->value[k] = fmb_features_value(f, (fmb_feature_id)k);
 }
 
-/* Limits of time are on a clock that others slow down, so processor time ends a query here. */
+/* Other processes disturb the library's limits of wall time: a CPU timer cancels this solver. */
 static fmb_solver *asked;
 
 static void end_query(int signal)
@@ -138,7 +138,7 @@ static void end_query_after(double seconds)
     setitimer(ITIMER_PROF, &(struct itimerval){.it_value = after}, NULL);
 }
 
-/* What the arms of a problem answered, as text: all have to say the same. */
+/* The answer to a problem as text: all arms must agree. */
 static char *answer;
 
 static void compare_answer(const fmb_system *out, fmb_verdict verdict)
@@ -177,16 +177,16 @@ static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int
     return r.stop == FMB_STOP_DONE ? end - begin : -1;
 }
 
-/* Short queries are asked again: the least of up to five. */
+/* Short queries are repeated: the least time of up to five counts. */
 #define LONG_ENOUGH 0.006 /* [s] */
 #define MOST_RUNS   4
-/* An arm that takes so many times as long as another one, and so long, is not waited for. */
+/* An arm is cancelled at FAR_BEHIND times the best time so far, and LEAST_WAIT. */
 #define FAR_BEHIND 4
-/* Of methods that do one thing only the best one counts. */
+/* Of methods that use one engine only the best one counts. */
 #define AS_GOOD    1.1
 #define LEAST_WAIT 0.01 /* [s] */
 
-/* [steps] that the engine asked last has taken, which goes on where it stopped. */
+/* [steps] The total steps of the last engine, which resumes where it stopped. */
 static void note_steps(void *steps, const fmb_event *e)
 {
     if (e->kind == FMB_EVENT_ENGINE && e->attempt->spent > 0)
@@ -232,7 +232,7 @@ static double limit_behind(const setup *u, double least)
 }
 
 typedef struct arm_times {
-    double took[MOST_ARMS]; /* [s], or minus the time after which it was not waited for */
+    double took[MOST_ARMS]; /* [s], or minus the time at which it was cancelled */
     uint64_t steps[MOST_ARMS];
     bool bounded; /* bounded elimination answered */
 } arm_times;
@@ -278,7 +278,7 @@ static void print_times(const setup *u, const arm_times *t)
     putchar('}');
 }
 
-/* What no way is chosen for is left out. Takes over s. */
+/* Skips problems for which the library makes no choice. Takes over s. */
 static void study_problem(const setup *u, const char *family, int digits, uint64_t seed,
                           fmb_system *s, int kept)
 {
@@ -359,7 +359,7 @@ int main(int argc, char **argv)
 {
     setup u = {.first = 1, .each = 4, .seconds = 1};
     int i = 1;
-    u.to = study_projections() + study_projections_apart(); /* what a fit may see */
+    u.to = study_projections() + study_projections_apart(); /* the families for fits */
     signal(SIGPROF, end_query);
     for (; i < argc && argv[i][0] == '-'; i += 2)
         if (i + 1 == argc || !take_option(&u, argv[i], argv[i + 1]))

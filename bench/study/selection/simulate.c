@@ -1,21 +1,21 @@
 /* simulate.c: an elimination of signs; see simulate.h.
  *
- * A row is the signs of its coefficients of variables that go, and the set of first rows behind it.
- * Where a pair of rows has opposite signs, that of the sum is drawn; that it may be 0 is left out.
- * The variable with the fewest new rows goes first, and a row with more than k + 1 first rows
- * behind it after k variables is dropped (Kohler 1967).
+ * A row is the signs of its coefficients in the eliminated variables, and its history, a set of
+ * input rows. Where the signs of a pair differ, the sign of the sum is drawn; cancellation to 0 is
+ * ignored. The variable that creates the fewest new rows is eliminated first, and a row whose
+ * history has more than k + 1 rows after k variables is dropped (Kohler 1967).
  */
 #include "simulate.h"
 
 typedef struct sign_row {
-    uint64_t plus, minus; /* of variables that go, in their order */
+    uint64_t plus, minus; /* of eliminated variables, in their order */
     uint64_t behind[SIMULATED_BASE / 64];
 } sign_row;
 
 typedef struct sign_rows {
     sign_row row[SIMULATED_ROWS + 1];
     size_t size;
-    size_t finished; /* rows that name none of the variables any more: only counted */
+    size_t finished; /* rows without eliminated variables: only counted */
     int columns;
     long up[SIMULATED_COLUMNS], down[SIMULATED_COLUMNS]; /* rows of each sign */
     uint64_t drawn;                                      /* state of the draws */
@@ -33,7 +33,7 @@ static void count_row(sign_rows *s, const sign_row *r, long change)
     count_signs(r->minus, s->down, change);
 }
 
-/* False: there are too many. */
+/* False: too many rows. */
 static bool put_sign_row(sign_rows *s, const sign_row *r)
 {
     bool named = (r->plus | r->minus) != 0;
@@ -66,13 +66,13 @@ static void load_signs(sign_rows *s, const fmb_elim *e, const bool *drop)
     }
 }
 
-/* Rows that are more once variable j is gone; negative where there are fewer. */
+/* The growth of the number of rows by eliminating variable j; may be negative. */
 static long growth_of_column(const sign_rows *s, int j)
 {
     return s->up[j] * s->down[j] - s->up[j] - s->down[j];
 }
 
-/* -1: none of them is named any more. */
+/* -1: no row names an eliminated variable. */
 static int choose_column(const sign_rows *s)
 {
     int best = -1;
@@ -92,7 +92,7 @@ static uint64_t draw_signs(sign_rows *s)
     return z ^ (z >> 31);
 }
 
-/* False: too many first rows are behind the sum. */
+/* False: the history of the sum is too large. */
 static bool combine_signs(sign_rows *s, const sign_row *a, const sign_row *b, uint64_t gone,
                           int most, sign_row *to)
 {
@@ -109,7 +109,7 @@ static bool combine_signs(sign_rows *s, const sign_row *a, const sign_row *b, ui
     return true;
 }
 
-/* Take the rows that name the variable out of s; returns how many, in *taken. */
+/* Move the rows that name the variable from s to *taken; returns their number. */
 static size_t take_rows_out(sign_rows *s, uint64_t bit, sign_row *taken)
 {
     size_t left = 0, n = 0;
@@ -126,7 +126,7 @@ static size_t take_rows_out(sign_rows *s, uint64_t bit, sign_row *taken)
     return n;
 }
 
-/* The k-th variable goes, by pairs. False: there were too many rows, or pairs. */
+/* Eliminate the k-th variable by pairs. False: too many rows, or pairs. */
 static bool eliminate_signs(sign_rows *s, int j, int k, sign_row *taken, size_t *pairs)
 {
     uint64_t bit = (uint64_t)1 << j;

@@ -4,7 +4,7 @@
 #include "study/textbook/table.h"
 #include "system/system_private.h"
 
-/* A table of s with marks of the variables to keep. */
+/* A table of s with marks for the kept variables. */
 typedef struct problem {
     fmb_mem mem;
     study_table table;
@@ -31,7 +31,7 @@ static void close_problem(problem *p)
     fmb_mem_put(&p->mem, p->keep, p->dim, sizeof *p->keep);
 }
 
-/* Eliminate all variables of a copy: what is left is nothing, or false. */
+/* Eliminate all variables of a copy: no row remains, or a false one. */
 static fmb_status decide(const problem *p, fmb_verdict *out)
 {
     study_table t;

@@ -73,7 +73,7 @@ static size_t leading(const study_table *t, const study_table_row *r)
     return j;
 }
 
-/* Divide by the size of the first nonzero coefficient, and for equalities by its sign too. */
+/* Divide by the |first nonzero coefficient|, an equality by the coefficient itself. */
 static void normalise(const study_table *t, study_table_row *r)
 {
     size_t first = leading(t, r);
@@ -124,7 +124,7 @@ static int by_tightness(const void *x, const void *y, void *ctx)
     return (q->rel == FMB_LT) - (r->rel == FMB_LT);
 }
 
-/* Sorted, rows with one left side stand together, the tightest first. */
+/* After sorting, rows with equal left sides are adjacent, the tightest first. */
 static void tidy(study_table *t)
 {
     size_t kept = 0;
@@ -188,7 +188,7 @@ static void add_multiple(const study_table *t, mpq_t *out, mpq_srcptr factor, mp
     mpq_clear(product);
 }
 
-/* Solve equality e for v and put that into every other row; e goes. */
+/* Solve equality e for v, substitute into every other row, and drop e. */
 static void substitute(study_table *t, size_t e, size_t v)
 {
     mpq_t factor;
@@ -238,7 +238,7 @@ static void count(const study_table *t, size_t v, size_t *positive, size_t *nega
     }
 }
 
-/* Every pair of rows with opposite signs, then the rows with v go. */
+/* Combine every pair of rows with opposite signs, then drop the rows with v. */
 static fmb_status pair_all(study_table *t, size_t v)
 {
     size_t old = t->rows, kept = 0;

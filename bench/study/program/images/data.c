@@ -1,4 +1,4 @@
-/* data.c: what measurements, choices and distributions leave open.
+/* data.c: sets left open by measurements, choices and distributions.
  *
  * Sources: Rockafellar, Uryasev 2000 (tails by auxiliary variables, doi 10.21314/JOR.2000.038);
  * Milanese, Belforte 1982 (parameters that bounded errors leave, doi 10.1109/TAC.1982.1102942);

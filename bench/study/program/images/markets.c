@@ -1,4 +1,4 @@
-/* markets.c: prices, shares of a gain, what can be made of what.
+/* markets.c: prices, shares of a gain, production possibilities.
  *
  * Sources: Banker, Charnes, Cooper 1984 (efficient frontiers, doi 10.1287/mnsc.30.9.1078);
  * Edirisinghe, Naik, Uppal 1993 (hedges with costs, doi 10.2307/2331152); Gillies 1959 (the core

@@ -1,4 +1,4 @@
-/* practice.c: projections as planners, engineers and information theory have them.
+/* practice.c: projections from planning, engineering and information theory.
  *
  * Sources: Yeung 1997 (elemental inequalities of entropies, doi 10.1109/18.641556); Deza, Laurent
  * 1997 (the metric cone, doi 10.1007/978-3-642-04295-9).

@@ -1,4 +1,4 @@
-/* systems.c: what systems can do: networks, controllers, programs, clocks.
+/* systems.c: behaviours of systems: networks, controllers, programs, clocks.
  *
  * Sources: Ehlers 2017 (triangles around rectifiers, doi 10.1007/978-3-319-68167-2_19); Jones,
  * Kerrigan, Maciejowski 2004 (equality set projection: controllable sets); Alur, Dill 1994 (clocks,

@@ -1,18 +1,17 @@
-/* bastrakov_zolotykh.c: Chernikov's rule, tested in the graph of rows that may be neighbours.
+/* bastrakov_zolotykh.c: Chernikov's rule, tested in a graph of possibly adjacent rows.
  *
- * After k rounds two rows make one that is minimal if no third history lies inside the union of
- * theirs, and the union has at most k + 1 members, k counting this round. Call two live rows
- * adjacent in the graph if the union of their histories has at most k + 1 members. A third row
- * whose history lies inside the union of two is adjacent to both, as its union with either lies
- * inside that; so it is looked for among the common neighbours of the two, which are few, and not
- * among all rows.
+ * In round k the combination of two rows is minimal if no third history lies inside the union of
+ * their histories, and the union has at most k + 1 members. Call two live rows adjacent in the
+ * graph if the union of their histories has at most k + 1 members. A third row whose history lies
+ * inside the union of two is adjacent to both, as its union with either lies inside that union; so
+ * only the few neighbours of one of the two are searched, not all rows.
  *
- * That is right if all extreme rays of the cone of combinations are there, but for rows that said
- * nothing, and nothing else is: else a row between two extreme ones would hide what they make. Rows
- * that only a row which said nothing could have covered are made, and dropped by their rank; so
- * what lives are extreme rays, each once, as an extreme ray of the next round lies on a face of two
- * extreme ones, and these alone.
- * Source: Bastrakov, Zolotykh 2015, the test of Zolotykh 2012 for the double description method.
+ * The test is right if the live rows are exactly the extreme rays of the cone of combinations,
+ * except those of trivial rows (0 <= 3), which are gone: any other row between two extreme rays
+ * would hide their combination. A combination that only a trivial row could have covered is made,
+ * and dropped by its rank. So the live rows are extreme rays, each once: an extreme ray of the next
+ * round lies on a face that exactly two extreme rays span. Source: Bastrakov, Zolotykh 2015, the
+ * test of Zolotykh 2012 for the double description method.
  *
  * A number to check: of |x1| + ... + |x4| <= 1, written as 16 rows, 28 rows are left, as by
  * `chernikov`.

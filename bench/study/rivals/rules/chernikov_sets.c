@@ -1,10 +1,10 @@
-/* chernikov_sets.c: Chernikov's rule as published, on the rows of a round when they are made.
+/* chernikov_sets.c: Chernikov's rule as published, applied to the formed rows of a round.
  *
- * Of all live rows one goes if its history strictly contains that of another; of equal histories
- * the first stays. Rows that said nothing (0 <= 3) are not among them, so a row may stay that the
- * library's `chernikov` does not make, which keeps their histories and looks before it combines.
- * What is dropped is no extreme ray of the cone of combinations, or stands there twice: the proof
- * of lib/rule/chernikov.c holds for each set by itself. Source: Chernikov 1960.
+ * A live row is dropped if its history strictly contains that of another; of equal histories the
+ * first row is kept. Trivial rows (0 <= 3) are not live, so a row may be kept that the library's
+ * `chernikov` does not form, as it keeps all histories and tests pairs first. A dropped row is no
+ * extreme ray of the cone of combinations, or a duplicate: the proof of lib/rule/chernikov.c holds
+ * for each set by itself. Source: Chernikov 1960.
  *
  * A number to check: of |x1| + ... + |x4| <= 1, written as 16 rows, three rounds leave 28 rows.
  */

@@ -2,10 +2,10 @@
  *
  * With H the history of a row, E the variables effectively eliminated on the way to it, I those
  * implicitly eliminated and O all that are eliminated: a minimal row has |H| <= 1 + |E u (I n O)|,
- * so a row of a larger history goes. Only an upper bound is tested, so rows that are not minimal
- * may stay, and it drops no less than Kohler's rule, as E and I n O are parts of O. The theorem
- * that spares the comparison, |H| = 1 + |E|, and the comparison itself are the library's rule
- * `imbert`. Source: Imbert 1990, theorem 13 (doi 10.1016/B978-0-444-88771-9.50019-2).
+ * so rows with larger histories are dropped. As this is an upper bound only, other rows that are
+ * not minimal are kept; it drops all that Kohler's rule drops, as E and I n O are subsets of O. The
+ * theorem that spares the comparison, |H| = 1 + |E|, and the comparison itself are the library's
+ * rule `imbert`. Source: Imbert 1990, theorem 13 (doi 10.1016/B978-0-444-88771-9.50019-2).
  *
  * A number to check: of |x1| + ... + |x4| <= 1, written as 16 rows, three rounds leave 48 rows, as
  * many as Kohler's rule, and 28 with the second theorem and the comparison (`imbert`).

@@ -3,9 +3,9 @@
  * The algorithm of section 6 finds the implicitly eliminated variables of a sum as the union of
  * those of its parents, less the effectively eliminated ones. They begin empty, so they stay empty
  * for ever (this was noticed in the source of Lean's linarith), and what is tested is |H| <= 1 +
- * |E|. A minimal row may have a larger history: variables that vanish by chance are left out, and
- * so rows are dropped that are needed. Source: Imbert 1990, section 6, as linarith's authors quote
- * it; theorem 13 itself is right (imbert_first.c).
+ * |E|. A minimal row may have a larger history: variables that cancel by coincidence are not
+ * counted, and so needed rows are dropped. Source: Imbert 1990, section 6, as linarith's authors
+ * quote it; theorem 13 itself is right (imbert_first.c).
  */
 #include "study/rivals/rules/rivals.h"
 

@@ -1,4 +1,4 @@
-/* library.c: the rivals' rules for --rule-library: sound ones first, then those that are not. */
+/* library.c: the rivals' rules for --rule-library: first the sound ones, then the unsound ones. */
 #include "study/rivals/rules/rivals.h"
 
 const fmb_rule *const fmb_rule_library[] = {

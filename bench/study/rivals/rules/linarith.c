@@ -1,14 +1,13 @@
-/* linarith.c: what Lean's linarith drops, histories and equal rows at once. NOT SOUND.
+/* linarith.c: both tests of Lean's linarith, on histories and on equal rows. NOT SOUND.
  *
- * linarith keeps its rows in a set in which two rows with the same form are one, the first to come,
- * and drops those that Imbert's first theorem calls not minimal. Each is sound by itself. Together
- * they are not: the row that stays of two equal ones may have a larger history than the one that
- * went, and its descendants fall to Imbert's bound although those that would have taken their place
- * were never made. linarith then fails to prove what it could. Its authors promise no more than
- * proofs that are right; as a procedure that decides it goes wrong. Here rows have no common
- * divisor when they are compared, so a multiple is equal, too, which it is not there; and the flag
- * of a rule that breaks histories is left out, or the engine would mend it. Source: Mathlib,
- * Mathlib/Tactic/Linarith/Oracle/FourierMotzkin.lean (R. Y. Lewis, 2020).
+ * linarith keeps its rows in a set, which holds the first of several equal rows, and drops rows
+ * that are not minimal by Imbert's first theorem. Each test is sound by itself. Together they are
+ * not: the kept one of two equal rows may have a larger history than the dropped one, and its
+ * descendants exceed Imbert's bound, while those of the dropped row, which would replace them, were
+ * never formed. linarith then misses a proof. Its authors promise only correct proofs; it is no
+ * decision procedure. Here rows are compared without their common divisor, so multiples are equal,
+ * unlike there; and the rule is not flagged as breaking histories, or the engine would repair the
+ * fault. Source: Mathlib, Mathlib/Tactic/Linarith/Oracle/FourierMotzkin.lean (R. Y. Lewis, 2020).
  */
 #include "study/rivals/rules/rivals.h"
 

@@ -1,12 +1,11 @@
-/* quasi_syntactic.c: quasi-syntactic redundancy: of parallel rows the tightest stays.
+/* quasi_syntactic.c: quasi-syntactic redundancy: of parallel rows the tightest is kept.
  *
  * A row is quasi-syntactically redundant if another has the same coefficients up to a positive
  * factor and is at least as tight. u and v are parallel if u_i v_j = u_j v_i for some i with u_i !=
  * 0 and all j, and they point the same way; then u.x <= b is at least as tight as v.x <= c if b
- * |v_i|
- * <= c |u_i|. What goes follows from the row that stays, not from one that goes itself. It is the
- * library's `dominated`, here with a loop over all pairs. Source: Lassez, Huynh, McAloon 1989; in
- * polyhedra by constraints alone: Fouilhe, Monniaux, Perin 2013.
+ * |v_i| <= c |u_i|. A dropped row follows from a kept row, not only from another dropped one. It is
+ * the library's `dominated`, here with a loop over all pairs. Source: Lassez, Huynh, McAloon 1989;
+ * in polyhedra by constraints alone: Fouilhe, Monniaux, Perin 2013.
  *
  * A number to check: of x + y <= 1, 2x + 2y <= 3, 3x + 3y < 3 one row stays, the strict one.
  */
@@ -28,7 +27,7 @@ static int first_column(const int64_t *u, int n)
     return -1;
 }
 
-/* Are u and v, with u[i] != 0, parallel and of one direction? */
+/* Are u and v, with u[i] != 0, parallel and of the same direction? */
 static bool is_parallel(const int64_t *u, const int64_t *v, int n, int i)
 {
     if ((u[i] > 0) != (v[i] > 0) || v[i] == 0)
@@ -39,7 +38,7 @@ static bool is_parallel(const int64_t *u, const int64_t *v, int n, int i)
     return true;
 }
 
-/* Is row a parallel to row b and at least as tight? Rows of large numbers are left alone. */
+/* Is row a parallel to row b and at least as tight? False for rows of large numbers. */
 static bool is_tighter(const fmb_view *w, size_t a, size_t b)
 {
     int n = fmb_view_dim(w);

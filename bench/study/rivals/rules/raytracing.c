@@ -1,17 +1,17 @@
-/* raytracing.c: redundant rows told by rays from a point inside, and small programs for the rest.
+/* raytracing.c: redundancy by rays from an interior point, then by small linear programs.
  *
- * From a point strictly inside, the row that a ray leaves through, alone, is irredundant: just
- * behind it a point breaks that row and no other. A ray goes along the normal of every row; what is
- * hit is known. A row i in doubt is asked for against the known rows alone: if no solution of these
- * breaks i, it follows from rows that stay, and goes. Else a point p that breaks it is given, and
- * the ray to p leaves through a row: i itself, which is known then, or another one that was not
- * known (p satisfies those that were), and i is asked for again. A ray that leaves through two rows
- * at once tells nothing; then i is asked for against all rows that are there, and goes or is known.
- * So every row that goes follows from rows that stay, and no other one stays that does.
+ * If a ray from an interior point leaves the polyhedron through a single row, this row is
+ * irredundant: points just behind it violate that row and no other. A ray is shot along each row's
+ * normal; the rows hit are known. An undecided row i is tested by a linear program against the
+ * known rows alone: if all their solutions satisfy i, it follows from kept rows and is dropped.
+ * Else it returns a violating point p, and the ray to p leaves through a row: i itself, which
+ * becomes known, or a new known row (p satisfies the old ones), and i is tested again. A ray
+ * through two rows at once decides nothing; then i is tested against all present rows, and is
+ * dropped or known. So every dropped row follows from kept rows, none of which is redundant.
  *
- * Without a point strictly inside nothing is dropped; nor where numbers do not fit. (`known` is
- * then said of a row that may be redundant, which only costs time.) Source: Marechal, Perin 2017;
- * Marechal, Monniaux, Perin 2017 use it in projections.
+ * Without an interior point nothing is dropped, nor where numbers are too long. (Then a redundant
+ * row may be marked `known`, which only costs time.) Source: Marechal, Perin 2017; Marechal,
+ * Monniaux, Perin 2017 use it in projections.
  *
  * A number to check: of |x1| + ... + |x4| <= 1, written as 16 rows, k rounds leave 2^(4 - k) rows.
  */
@@ -19,7 +19,7 @@
 
 #include <fmb/gmp.h>
 
-/* What is known of the rows of a round, and a point x / denominator inside. */
+/* The known rows of a round, and an interior point x / denominator. */
 typedef struct tracing {
     const fmb_view *w;
     int n;
@@ -69,8 +69,8 @@ static void multiply(const tracing *t, const int64_t *a, mpz_t *d, mpz_t sum)
         add_multiple(sum, d[j], a[j]);
 }
 
-/* The row through which the ray from x along `to` leaves; as many as there are rows if there is
- * none, or several at once. Row i is reached after slack[i] / a.to, if a.to > 0. */
+/* The row through which the ray from x along `to` leaves; the number of rows if there is none, or
+ * several at once. Row i is reached after slack[i] / a.to, if a.to > 0. */
 static size_t shoot(tracing *t)
 {
     size_t rows = fmb_view_rows(t->w), nearest = rows;
@@ -98,7 +98,7 @@ static size_t shoot(tracing *t)
     return is_alone ? nearest : rows;
 }
 
-/* The point of the last answer, over one denominator; false if its numbers are very long. */
+/* The point of the last answer, over a common denominator; false if its numbers are too long. */
 static bool read_point(const tracing *t, mpz_t *x)
 {
     char text[4096];
@@ -123,7 +123,7 @@ static bool read_point(const tracing *t, mpz_t *x)
     return true;
 }
 
-/* Row i turned round: what breaks it. */
+/* The negation of row i. */
 static fmb_status add_reverse(const tracing *t, fmb_system *s, size_t i)
 {
     int64_t *a = fmb_view_scratch(t->w, ((size_t)t->n + 1) * sizeof *a);
@@ -134,8 +134,8 @@ static fmb_status add_reverse(const tracing *t, fmb_system *s, size_t i)
     return fmb_system_add_int(s, a, relation(t, i) == FMB_LT ? FMB_LE : FMB_LT, a[t->n]);
 }
 
-/* Is there a point that satisfies the known rows, or all that are there, and breaks row i?
- * `reverse` past the end: a point strictly inside all rows. */
+/* Does a point satisfy the known rows, or all present ones, and violate row `reverse`? `reverse`
+ * past the end: is there a point strictly inside all rows? */
 static fmb_status ask(const tracing *t, size_t reverse, bool of_all, bool *is_there)
 {
     size_t rows = fmb_view_rows(t->w);
@@ -155,7 +155,7 @@ static fmb_status ask(const tracing *t, size_t reverse, bool of_all, bool *is_th
     return st;
 }
 
-/* From x to the point in `to`: as a direction. */
+/* `to` becomes the direction from x to the point in it. */
 static void aim(tracing *t)
 {
     mpz_t back;
@@ -168,7 +168,7 @@ static void aim(tracing *t)
     mpz_clear(back);
 }
 
-/* Row i goes, or is known. */
+/* Decide row i: dropped or known. */
 static fmb_status decide(tracing *t, size_t i)
 {
     bool is_there = false;
@@ -193,7 +193,7 @@ static fmb_status decide(tracing *t, size_t i)
     return st;
 }
 
-/* Rays along the normals. */
+/* Shoot the rays along the normals. */
 static void shoot_normals(tracing *t)
 {
     for (size_t i = 0; i < fmb_view_rows(t->w) && !fmb_view_stop(t->w); i++) {

@@ -1,11 +1,11 @@
 /* simon_king.c: no more rows after a round than before it, the sparsest. NOT SOUND, on purpose.
  *
- * For the analysis of programs a projection may be too large, but must not take long: where a round
- * would make the system grow, exactness is given up. Here rows that name most variables go until
- * there are no more than before the round; what is left still holds of every solution, so that
- * analyses stay right, and is an answer only if no row went. The paper puts rows in their place
- * that a simplex method finds; no row of a rule's own can be added through the window, so this rule
- * gives up more. Source: Simon, King 2005, after its abstract.
+ * In program analysis a projection may be too large a set, but must be quick: where a round would
+ * make the system grow, exactness is given up. Here the rows with most variables are dropped until
+ * there are no more than before the round; the kept rows hold for every solution, so that analyses
+ * stay sound, but they are the projection only if no row was dropped. The paper replaces dropped
+ * rows by others that a simplex method finds; a rule cannot add rows through <fmb/rule.h>, so this
+ * one loses more. Source: Simon, King 2005, after its abstract.
  *
  * A number to check: of |x1| + ... + |x4| <= 1, written as 16 rows, 16, 11 and 5 are left after
  * three rounds; the interval that they say for x4 is right by luck.

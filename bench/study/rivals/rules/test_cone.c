@@ -1,18 +1,17 @@
 /* test_cone.c: redundancy tests by the rays of a cone, without a linear program.
  *
  * The cone of a system a.x <= b is {(x, t) : a.x <= b t, t >= 0}. Its rays are found once, by
- * double description; the rays with the coordinates that are gone left out span the cone of the
- * projection, so the same ones serve all rounds. Let Z(r) be the rays on which row r is tight. A
- * row whose Z is all of them is an equality in disguise and stays. Any other stands for a face of
- * the cone, and Z tells which; it goes if Z lies inside the Z of a row that stays, or of t >= 0,
- * which always does, and is not all of them either: then its face lies in that one's. So what stays
- * are the equalities and a row for each facet. In the paper the test is whether Z spans a space of
- * one dimension less than the cone, by a rank, and rows are compared; on a cone of full dimension
- * that is the same.
+ * double description; without the eliminated coordinates they span the cone of the projection, so
+ * the same rays serve all rounds. Let Z(r) be the rays on which row r is tight. A row with all rays
+ * in Z is an implied equality and is kept. Any other row defines a face of the cone, determined by
+ * Z; it is dropped if Z lies inside the Z of a kept row that is no equality, or of t >= 0, which is
+ * always kept: then its face lies in the face of that row. So the kept rows are the equalities and
+ * one row for each facet. In the paper the test is whether Z spans a space of one dimension less
+ * than the cone, by a rank, and rows are compared; on a cone of full dimension that is the same.
  *
- * Rows with "<" or "=" are beyond the paper. Such systems are left alone for the whole elimination,
- * as are those whose numbers do not fit, or whose rays are more than MOST_RAYS.
- * Source: Jing, Moreno Maza, Talaashrafi 2020, sections 3 and 4; implemented in BPAS.
+ * Rows with "<" or "=" are beyond the paper. For such systems the rule drops nothing in the whole
+ * elimination, nor if numbers are too long, or there are more than MOST_RAYS rays. Source: Jing,
+ * Moreno Maza, Talaashrafi 2020, sections 3 and 4; implemented in BPAS.
  *
  * A number to check: of |x1| + ... + |x4| <= 1, written as 16 rows, k rounds leave 2^(4 - k) rows:
  * none is redundant.
@@ -27,7 +26,7 @@ enum { MOST_RAYS = 10000 };
 typedef struct cone {
     bool is_tried;
     size_t rays, width; /* width: variables of the system, and t */
-    mpz_t *ray;         /* [rays][width], by variable, t last; NULL: left alone */
+    mpz_t *ray;         /* [rays][width], by variable, t last; NULL: the rule is off */
 } cone;
 
 static void clear_cone(void *state)
@@ -39,7 +38,7 @@ static void clear_cone(void *state)
     *c = (cone){.is_tried = true};
 }
 
-/* Has the row integers that fit, "<=", and variables below width - 1? */
+/* Has the row "<=", short integers, and variables below width - 1? */
 static bool is_plain(const fmb_view *w, size_t row, size_t width)
 {
     if (!fmb_view_int64(w, row) || fmb_view_rel(w, row) != FMB_LE)
@@ -145,7 +144,7 @@ static int measure(const cone *c, const fmb_view *w, const int64_t *u, size_t ra
     return mpz_sgn(sum);
 }
 
-/* z[i]: the rays on which row i is tight; z[rows]: those with t = 0. False if a ray breaks a row.
+/* z[i]: the rays on which row i is tight; z[rows]: rays with t = 0. False if a ray violates a row.
  */
 static bool find_tight_rays(const cone *c, const fmb_view *w, uint64_t *z, size_t words)
 {
