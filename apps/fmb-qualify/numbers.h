@@ -1,4 +1,4 @@
-/* numbers.h: numbers of studies as JSON, and the columns that show them. */
+/* numbers.h: numbers of studies as JSON, and table columns for them. */
 #ifndef QUALIFY_NUMBERS_H
 #define QUALIFY_NUMBERS_H
 

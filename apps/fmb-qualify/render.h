@@ -5,12 +5,12 @@
 
 typedef enum qualify_rendered {
     QUALIFY_RENDERED = 0,
-    QUALIFY_NO_PYTHON, /* after a message, as the next one is */
+    QUALIFY_NO_PYTHON, /* after a message, like the next one */
     QUALIFY_NO_SCRIPT,
     QUALIFY_NOT_RENDERED /* the script failed, and said why */
 } qualify_rendered;
 
-/* Run the script of that name with these arguments, behind the last of which stands NULL. */
+/* Run the script of that name with these arguments; NULL ends them. */
 qualify_rendered qualify_render(const char *name, const char *const *arguments);
 
 /* fmb-qualify plots, fmb-qualify leaderboard. */

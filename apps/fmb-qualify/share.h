@@ -1,13 +1,13 @@
 /* share.h: the cells of a study, shared among the ranks that mpirun has started (common/ranks.h):
- * each takes the next cell when it has done its last one. A process alone takes all, in order.
- */
+ * each rank takes the next free cell when it is done with one. A single process takes all, in
+ * order. */
 #ifndef QUALIFY_SHARE_H
 #define QUALIFY_SHARE_H
 
 #include "fmb-qualify/study.h"
 
-/* Become one of several processes, if mpirun says so: only rank 0 has a standard output. An exit
- * code. Then qualify_leave_ranks is due, with the code of this rank; the code to exit with. */
+/* Join the ranks if started by mpirun: only rank 0 has a standard output. An exit code. At the end
+ * call qualify_leave_ranks with this rank's exit code; it returns the common one. */
 int qualify_join_ranks(void);
 int qualify_leave_ranks(int code);
 
@@ -20,10 +20,10 @@ typedef struct qualify_share {
 qualify_share qualify_share_begin(const qualify_setup *o, size_t cells);
 /* *i becomes the next cell for this rank; false: there is none, or a signal came. */
 bool qualify_share_next(qualify_share *s, size_t *i);
-/* All ranks alike: on rank 0, cell [cells], of `size` bytes each, becomes what each of them is
- * where it was done. */
+/* All ranks call this: on rank 0 each element of cell [cells], of `size` bytes, becomes that of the
+ * rank that did it. */
 void qualify_share_collect(const qualify_share *s, void *cell, size_t size);
-/* Is it for this rank to report, rank 0? */
+/* Is this rank 0, which reports? */
 bool qualify_share_end(qualify_share *s);
 
 #endif

@@ -12,13 +12,13 @@ typedef struct qualify_setup {
     uint64_t seed;
     fmb_simd simd;
     const char *out;  /* folder for the report, or NULL */
-    const char *file; /* that the study is about, or NULL */
+    const char *file; /* the study's input, or NULL */
     bool takes_file;
     bool json, quiet;
     size_t counter; /* of the study's cells (share.h) */
 } qualify_setup;
 
-/* How much work: of each class so many pairs, and so many passes of the clock. */
+/* The amount of work: pairs of each class, and passes of the clock. */
 typedef struct qualify_effort {
     size_t pairs;
     int passes;
@@ -29,11 +29,11 @@ typedef struct qualify_study {
     const char *doc;          /* for --help, as argp takes it */
     bool takes_file;          /* a FILE may stand on its command line */
     bool shared;              /* run() is for all ranks (share.h), else for rank 0 alone */
-    qualify_effort alone;     /* unless something else is asked for */
-    qualify_effort brief;     /* as one of all studies, which take minutes together */
+    qualify_effort alone;     /* the default of the study by itself */
+    qualify_effort brief;     /* its part of all studies, which together take minutes */
     /* The study: adds to the page, whose section has begun; an exit code, after a message unless it
-     * is APP_YES. It asks qualify_watch_step between its steps; where that says so it ends early,
-     * with what is complete. */
+     * is APP_YES. It calls qualify_watch_step between its steps; if that returns false, it ends
+     * early with the complete results. */
     int (*run)(const qualify_setup *o, qualify_page *page);
 } qualify_study;
 

@@ -1,4 +1,4 @@
-/* view.h: rows of a JSON object, to be looked at. */
+/* view.h: rows of a JSON object as text. */
 #ifndef QUALIFY_VIEW_H
 #define QUALIFY_VIEW_H
 
@@ -9,9 +9,9 @@ typedef struct qualify_view {
     const json_t *rows;
 } qualify_view;
 
-/* In aligned columns, those with a title. */
+/* Prints the columns that have a title, aligned. */
 void qualify_view_print(const qualify_view *view, FILE *out);
-/* One line a row, numbers as they are: no unit, no mark; view is a qualify_view. */
+/* Writes one line for each row, with plain numbers: no unit, no mark; view is a qualify_view. */
 void qualify_view_csv(FILE *f, const void *view);
 
 #endif

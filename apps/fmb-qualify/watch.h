@@ -1,4 +1,4 @@
-/* watch.h: what happens beside a running study: Ctrl-C, and a bar on a terminal. */
+/* watch.h: Ctrl-C and the progress bar of a running study. */
 #ifndef QUALIFY_WATCH_H
 #define QUALIFY_WATCH_H
 
@@ -7,18 +7,18 @@
 
 #include <fmb/solve.h>
 
-/* From here to the end, SIGINT and SIGTERM cancel the query that runs and end the study; a second
- * one ends the process. Of several processes the first one ends all, and nothing is written. */
+/* From begin to end, SIGINT and SIGTERM cancel the running query and end the study; a second signal
+ * ends the process. With several ranks the first signal ends all, and nothing is written. */
 void qualify_watch_begin(bool quiet);
 void qualify_watch_end(void);
-/* What the bar is about; borrowed. */
+/* The name that the bar shows; borrowed. */
 void qualify_watch_name(const char *name);
 
-/* Where the study notes the solver at work. */
+/* Where the study stores the working solver, for cancels. */
 fmb_solver *volatile *qualify_watch_solver(void);
-/* Show how far it is; false after a signal. self is not used: it fits study_grid.step. */
+/* Show the progress; false after a signal. self is not used: it fits study_grid.step. */
 bool qualify_watch_step(void *self, size_t done, size_t all);
-/* The same for a part of a study: part number `done` of `all` begins; then how far it is. */
+/* Likewise for a part of a study: part `done` of `all` begins; then the progress within it. */
 void qualify_watch_part(size_t done, size_t all);
 bool qualify_watch_step_within(void *self, size_t done, size_t all);
 /* Did a signal end the study? */

@@ -1,4 +1,4 @@
-/* answer.h: the right answer to a problem of the benchmark, proved. */
+/* answer.h: the proved answer to a problem of the benchmark. */
 #ifndef QUALIFY_ANSWER_H
 #define QUALIFY_ANSWER_H
 
@@ -8,13 +8,13 @@
 typedef struct qualify_answer {
     fmb_verdict verdict;
     size_t equations, inequalities, strict; /* of the projection; strict are also inequalities */
-    /* Of the projection as `fmb project --to ine` prints it; where nothing is kept, of the
+    /* Digest of the projection as `fmb project --to ine` prints it; if no variable is kept, of the
      * verdict's word and a newline. */
     char digest[QUALIFY_SHA256_TEXT];
 } qualify_answer;
 
-/* The checker has accepted the answer, and of a projection also that no row is missing; else an
- * exit code, after a message with the name. APP_UNDECIDED: the solver was cancelled. */
+/* The checker accepts the answer, for a projection also that no row is missing; else an exit code,
+ * after a message with the name. APP_UNDECIDED: the solver was cancelled. */
 int qualify_answer_find(fmb_solver *v, const char *name, const study_projection *p,
                         qualify_answer *out);
 

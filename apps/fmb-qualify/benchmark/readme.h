@@ -1,10 +1,10 @@
-/* readme.h: what the folder of the benchmark says of itself. */
+/* readme.h: the README of the benchmark's folder. */
 #ifndef QUALIFY_README_H
 #define QUALIFY_README_H
 
 #include <stdio.h>
 
-/* README.md; what is not used. */
+/* Writes README.md; `what` is unused. */
 void qualify_put_readme(FILE *f, const void *what);
 
 #endif

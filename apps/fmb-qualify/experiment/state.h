@@ -4,9 +4,9 @@
 
 #include "fmb-qualify/experiment/experiment.h"
 
-/* Mark the blocks that are whole, done[blocks], and set *end behind the last of them [bytes]; what
- * comes behind is a block that was being written. A file that is empty or not there holds none, and
- * *end is 0. An exit code, after a message: a file of another plan is refused. */
+/* Mark the complete blocks, done[blocks], and set *end to the end of the last one [bytes]; an
+ * interrupted block may follow. A file that is empty or does not exist holds none, and *end is 0.
+ * An exit code, after a message: a file of another plan is refused. */
 int qualify_state_read(const qualify_experiment *e, const char *path, bool *done, long *end);
 
 #endif

@@ -9,27 +9,27 @@
 
 enum { PEERS_MOST = 16, PEERS_KINDS = 4, PEERS_FAMILIES = 4 };
 
-/* Shapes of A and B; of the last kind, PEERS_BOXES, cuboids with right angles. */
+/* Shapes of A and B; the last kind, PEERS_BOXES: cuboids with right angles. */
 enum { PEERS_BOXES = PEERS_KINDS - 1 };
 extern const fmb_shape peers_shape[PEERS_KINDS][2];
 extern const study_pair_family peers_family[PEERS_FAMILIES];
 
-/* Times on pairs of one kind of the article's generator, that meet or that do not. */
+/* Times on pairs of one kind of the article's generator, all meeting or all disjoint. */
 typedef struct peers_times {
     bool complete;
     size_t pairs;
     study_spread ns[PEERS_MOST];   /* of a query, over the passes; NaN: not asked */
     study_ratio ratio[PEERS_MOST]; /* over driver 0 */
-    size_t wrong[PEERS_MOST];      /* answers that are not the class's */
+    size_t wrong[PEERS_MOST];      /* answers that differ from the class */
 } peers_times;
 
-/* Answers on pairs of one family, of all kinds. A pair touches if it meets with its faces and not
- * without them: there both answers pass. */
+/* Answers on pairs of one family, of all kinds. A pair touches if the closed frames meet but the
+ * open ones do not: there both answers pass. */
 typedef struct peers_faults {
     bool complete;
-    size_t touching[PEERS_MOST], touching_meet[PEERS_MOST]; /* asked; said to meet */
-    size_t clear[PEERS_MOST];                               /* asked, and not touching */
-    size_t false_meet[PEERS_MOST], false_apart[PEERS_MOST], unknown[PEERS_MOST]; /* of those */
+    size_t touching[PEERS_MOST], touching_meet[PEERS_MOST]; /* all; said to meet */
+    size_t clear[PEERS_MOST];                               /* pairs asked that do not touch */
+    size_t false_meet[PEERS_MOST], false_apart[PEERS_MOST], unknown[PEERS_MOST]; /* of clear ones */
 } peers_faults;
 
 /* Exit codes, after a message unless it is APP_YES. */

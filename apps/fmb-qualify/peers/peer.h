@@ -1,7 +1,7 @@
-/* peer.h: somebody else's way to find out whether two frames meet, behind one door.
+/* peer.h: a common interface to other libraries that decide whether two frames meet.
  *
- * A driver prepares all pairs outside the clock, as a user of that library would who keeps shapes;
- * inside the clock it answers. What a library is not made for is not asked of it.
+ * A driver prepares all pairs untimed, as a user of that library who keeps shapes would; only its
+ * answers are timed. A library is asked only about shapes that it supports.
  */
 #ifndef QUALIFY_PEER_H
 #define QUALIFY_PEER_H
@@ -20,12 +20,12 @@ typedef struct peer_work {
     fmb_simd simd;
 } peer_work;
 
-/* What is asked of a driver: all frames; no cuboids; nothing but cuboids with right angles. */
+/* The frames that a driver takes: all; only simplices; only cuboids with right angles. */
 typedef enum peer_takes { PEER_TAKES_ALL, PEER_TAKES_SIMPLICES, PEER_TAKES_BOXES } peer_takes;
 
 typedef struct peer_driver {
     const char *name;
-    const char *how; /* what is measured; one line */
+    const char *how; /* the measured call; one line */
     peer_takes takes;
     /* Errors: MEMORY. */
     fmb_status (*open)(const peer_work *w, void **self);
@@ -34,9 +34,9 @@ typedef struct peer_driver {
     void (*close)(void *self);
 } peer_driver;
 
-/* Ours, and what bench/study has. */
+/* Ours, and the algorithms of bench/study. */
 extern const peer_driver peer_fmb, peer_sat, peer_article, peer_seidel, peer_tetra;
-/* Where they are installed. */
+/* Other libraries, where installed. */
 extern const peer_driver peer_ccd_gjk, peer_ccd_mpr, peer_fcl_ccd, peer_fcl_own, peer_fcl_obb,
     peer_fcl_box, peer_ode, peer_ode_box;
 
@@ -53,7 +53,7 @@ typedef struct peer_hull {
 void peer_hull_of(const fmb_frame *f, peer_hull *out);
 void peer_centre(const fmb_frame *f, double *out);
 
-/* A cuboid with right angles: unit axes, right-handed, and how long it is along each. */
+/* A cuboid with right angles: unit axes, right-handed, and the side length along each. */
 typedef struct peer_box {
     double centre[3], axis[3][3], side[3];
 } peer_box;

@@ -14,7 +14,7 @@ typedef struct scaling_class {
     fmb_shape shape[2];
 } scaling_class;
 
-/* Of one class. NaN: not measured. */
+/* The results of one class. NaN: not measured. */
 typedef struct scaling_cell {
     scaling_class class;
     bool complete;           /* nothing was interrupted */
@@ -24,7 +24,7 @@ typedef struct scaling_cell {
     double exact_share;      /* of the verdicts, decided exactly */
     double rows;             /* made by exact elimination, mean over some of the pairs */
     study_spread ns;         /* of a verdict, over the passes */
-    /* The linear program on some of the pairs, and ours on the same. */
+    /* The linear program on some of the pairs, and our verdicts on the same pairs. */
     study_spread lp_ns, beside_lp_ns;
     study_ratio over_lp;
     size_t lp_pairs, lp_wrong;

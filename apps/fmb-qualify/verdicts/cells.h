@@ -6,22 +6,22 @@
 
 #include "fmb-qualify/verdicts/pool.h"
 
-/* Triangles with an area, each near those around it: along a curve through all of space. */
+/* Triangles of positive area, in the order of a space-filling curve. */
 typedef struct verdict_cells {
     size_t n;
-    double edge;   /* how long edges are, their mean */
+    double edge;   /* mean length of the edges */
     double *point; /* [n][3][3] corners */
 } verdict_cells;
 
-/* [give, verdict_cells_close] Of a mesh of triangles. Errors: MEMORY. */
+/* [give, verdict_cells_close] From a mesh of triangles. Errors: MEMORY. */
 fmb_status verdict_cells_open(const fmb_mesh *m, verdict_cells *out);
 void verdict_cells_close(verdict_cells *c);
 
-/* reshape of a verdict_source, self being verdict_cells: the origins that were drawn tell which two
- * cells become the frames, three-dimensional ones. */
+/* reshape of a verdict_source, self being verdict_cells: the drawn origins choose the two cells
+ * that become the frames, in three dimensions. */
 void verdict_cells_put(const void *self, int dim, const verdict_draft f[2]);
 
-/* axes: [3][3]. The third becomes normal to the first two, and that thick. */
+/* axes: [3][3]. The third becomes normal to the first two, of length `thick`. */
 void verdict_make_thick(double *axes, double thick);
 
 #endif

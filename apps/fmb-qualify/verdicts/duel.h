@@ -6,7 +6,7 @@
 #include "fmb-qualify/verdicts/pool.h"
 #include "study/clock/clock.h"
 
-/* What answers: the library in both ways, and SAT as the article has it. */
+/* The rivals: the library with elimination and with separating axes. */
 typedef struct verdict_rivals {
     fmb_pair *fmb, *sat;
 } verdict_rivals;
@@ -16,11 +16,11 @@ typedef struct verdict_rivals {
 fmb_status verdict_rivals_open(verdict_rivals *r, int dim, fmb_simd simd);
 void verdict_rivals_close(verdict_rivals *r);
 
-/* Times are of a query [ns], over the passes; of warm ones over the pairs. */
+/* Times are of one query [ns], over the passes; warm ones over the pairs. */
 typedef struct verdict_duel {
     verdict_class class;
     size_t queries;               /* distinct pairs, each asked once a pass */
-    uint64_t drawn;               /* pairs looked at to find them */
+    uint64_t drawn;               /* pairs tested to find them */
     bool complete;                /* nothing was interrupted */
     study_spread fmb, sat, plain; /* all pairs in one call */
     study_ratio fmb_sat, plain_sat;
@@ -30,15 +30,15 @@ typedef struct verdict_duel {
     study_spread warm_fmb, warm_sat;
     study_ratio warm_fmb_sat;
     double exact_share; /* of FMB's queries, decided exactly */
-    size_t wrong;       /* verdicts of FMB or SAT that are not the class's */
+    size_t wrong;       /* verdicts of FMB or SAT that differ from the class */
     size_t plain_wrong;
 } verdict_duel;
 
 fmb_status verdict_duel_run(const verdict_source *from, const verdict_class *c,
                             const qualify_setup *o, verdict_rivals *r, verdict_duel *out);
 
-/* FMB over SAT where a share of the pairs meets, in any order: groups of pairs that both ways
- * answer one after the other, as they come. */
+/* FMB over SAT on shuffled pairs of which a share meets; groups of consecutive pairs are timed
+ * separately. */
 enum { VERDICT_SHARES = 11 }; /* 0, 10, ... 100 % */
 typedef struct verdict_mix {
     int dim;
@@ -53,7 +53,7 @@ fmb_status verdict_mix_run(const verdict_source *from, const qualify_setup *o, v
 
 /* ---- for the files of this folder ------------------------------------------------------------ */
 
-/* One way over some pairs; self of study_timed. */
+/* One method on some pairs: the self of a study_timed. */
 typedef struct verdict_way {
     fmb_pair *k;
     const fmb_frame *p, *q;

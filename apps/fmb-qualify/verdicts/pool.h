@@ -1,10 +1,10 @@
-/* pool.h: pairs of one class, as many as are asked for, side by side in memory. */
+/* pool.h: a given number of pairs of one class, side by side in memory. */
 #ifndef QUALIFY_POOL_H
 #define QUALIFY_POOL_H
 
 #include "study/draw/pairs.h"
 
-/* CT holds both orders, in turn; ANY is what the article's generator draws. */
+/* CT has both orders, in turn; ANY: shapes as the article's generator draws them. */
 typedef enum verdict_kind { VERDICT_CC, VERDICT_CT, VERDICT_TT, VERDICT_ANY } verdict_kind;
 
 typedef struct verdict_class {
@@ -22,11 +22,11 @@ typedef struct verdict_draft {
     double *origin, *axes, *speed; /* [dim], [dim][dim], [dim] or NULL */
 } verdict_draft;
 
-/* Where pairs come from, and what is done to them. */
+/* The source of pairs, and their changes. */
 typedef struct verdict_source {
-    study_pair_family family[2]; /* of pairs that are to be apart, of those that are to meet */
+    study_pair_family family[2]; /* for disjoint pairs, for meeting pairs */
     bool near;                   /* only pairs whose axis-aligned boxes meet */
-    /* Both frames, in place, as the numbers that were drawn tell; or NULL. */
+    /* Changes both frames in place, depending on the drawn numbers; or NULL. */
     void (*reshape)(const void *self, int dim, const verdict_draft f[2]);
     const void *self;
 } verdict_source;
@@ -34,12 +34,12 @@ typedef struct verdict_source {
 typedef struct verdict_pool {
     size_t n;
     fmb_frame *p, *q; /* [n], in the order in which they are drawn */
-    uint64_t drawn;   /* pairs looked at */
+    uint64_t drawn;   /* pairs tested */
     study_pairs part[2];
 } verdict_pool;
 
-/* [give, verdict_pool_free] n pairs of the class; judge says whether they meet. After a Ctrl-C the
- * pairs are not all of the class. Errors: MEMORY. */
+/* [give, verdict_pool_free] n pairs of the class; judge decides whether they meet. After a Ctrl-C
+ * some pairs may not be of the class. Errors: MEMORY. */
 fmb_status verdict_pool_make(const verdict_source *from, const verdict_class *c, uint64_t seed,
                              size_t n, fmb_pair *judge, verdict_pool *out);
 void verdict_pool_free(verdict_pool *pool);

@@ -17,7 +17,7 @@ typedef struct verdict_study {
 int verdict_study_run(const verdict_source *from, const bool is_case[VERDICT_CASES],
                       const qualify_setup *o, qualify_page *page);
 
-/* What was found: the numbers first, then the tables of them. */
+/* The results: add the numbers first, then their tables. */
 void verdict_numbers(const verdict_study *s, qualify_page *page);
 void verdict_tables(const verdict_study *s, qualify_page *page);
 
