@@ -7,7 +7,7 @@
 
 typedef struct canceller {
     fmb_solver *v;
-    int events; /* so many, and then a cancel; -1: never */
+    int events; /* events before the cancel; -1: never cancels */
 } canceller;
 
 static inline void cancel_at_event(void *self, const fmb_event *e)

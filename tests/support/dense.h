@@ -1,5 +1,4 @@
-/* dense.h: systems as tables of rationals that one can change; what generators and the shrinker
- * work on. */
+/* dense.h: systems as mutable tables of rationals, for the generators and the shrinker. */
 #ifndef FMB_TEST_DENSE_H
 #define FMB_TEST_DENSE_H
 
@@ -11,7 +10,7 @@ typedef struct dense {
     mpq_t *cell; /* [rows][dim + 1], right side last */
 } dense;
 
-/* rows rows of zeros, relation <=. */
+/* That many rows of zeros, relation <=. */
 dense dense_new(int dim, int rows);
 dense dense_of(const fmb_system *s);
 void dense_free(dense *d);

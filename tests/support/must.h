@@ -1,4 +1,4 @@
-/* must.h: calls that a test insists on: these only fail when memory runs out. */
+/* must.h: calls that must succeed in a test: they fail only if memory runs out. */
 #ifndef FMB_TEST_MUST_H
 #define FMB_TEST_MUST_H
 

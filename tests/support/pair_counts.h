@@ -1,4 +1,4 @@
-/* pair_counts.h: what a kernel of pairs was asked, as a value. */
+/* pair_counts.h: the counters of an fmb_pair, as a value. */
 #ifndef FMB_TEST_PAIR_COUNTS_H
 #define FMB_TEST_PAIR_COUNTS_H
 

@@ -24,7 +24,7 @@ typedef struct support_rng {
 uint64_t support_next(support_rng *g);
 /* From lo to hi, both included. */
 int support_between(support_rng *g, int lo, int hi);
-/* True in so many cases of 100. */
+/* True with a probability of `percent` in 100. */
 bool support_chance(support_rng *g, int percent);
 /* Small (-9..9) if bits is 0; else a mix of small numbers and numbers within 2 of +-2^bits. */
 void support_integer(support_rng *g, int bits, mpz_t out);
@@ -32,11 +32,11 @@ void support_integer(support_rng *g, int bits, mpz_t out);
 /* ---- random systems -------------------------------------------------------------------------- */
 
 typedef enum support_family {
-    SUPPORT_PLANTED_POINT,  /* feasible: every row lets a chosen point in, many only just */
+    SUPPORT_PLANTED_POINT,  /* feasible: a chosen point satisfies every row, many with equality */
     SUPPORT_PLANTED_FARKAS, /* infeasible: chosen multipliers combine some rows to a conflict */
     SUPPORT_DEGENERATE,     /* numbers -1, 0, 1: many ties, many rows through one point */
     SUPPORT_PARALLEL,       /* duplicates, multiples, and multiples moved a little */
-    SUPPORT_MIXED,          /* equalities, strict rows and others without any plan */
+    SUPPORT_MIXED,          /* equalities, strict rows and others, nothing planted */
     SUPPORT_FAMILIES
 } support_family;
 
@@ -47,7 +47,7 @@ typedef struct support_shape {
 
 typedef struct support_case {
     fmb_system *s;
-    fmb_verdict verdict; /* as planted; FMB_UNKNOWN in families without a plan */
+    fmb_verdict verdict; /* as planted; FMB_UNKNOWN if none was planted */
     support_family family;
     support_shape shape;
     uint64_t seed;
@@ -62,7 +62,7 @@ const char *support_family_name(support_family family);
 
 /* ---- of systems ------------------------------------------------------------------------------ */
 
-/* s with <= for <. The caller frees it. */
+/* s with each < relaxed to <=. The caller frees it. */
 fmb_system *support_closure(const fmb_system *s);
 
 /* The verdict on s, by a solver of its own, whose evidence fmb_check accepted. */

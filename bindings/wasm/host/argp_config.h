@@ -1,5 +1,5 @@
-/* argp_config.h: what gnulib's argp asks about a system, answered for musl, the C library of
- * Emscripten. Its own getopt gets names of its own, as it is asked for more than musl's. */
+/* argp_config.h: gnulib's configuration macros for its argp, set for musl, the C library of
+ * Emscripten. Its own getopt is renamed, as argp needs more than musl's. */
 #define _GNU_SOURCE     1
 #define __GETOPT_PREFIX for_argp_
 

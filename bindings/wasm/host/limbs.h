@@ -1,6 +1,6 @@
 /* limbs.h: products and quotients of GMP's limbs for WebAssembly, which multiplies and divides
- * numbers of 64 bits: GMP's own portable ones make them of halves of 16. Included before all of
- * GMP's sources; its longlong.h defines only what is not there. Limbs have 32 bits. */
+ * numbers of 64 bits: GMP's portable macros build them from halves of 16 bits. Included before all
+ * of GMP's sources, whose longlong.h defines only missing macros. Limbs have 32 bits. */
 #include <stdint.h>
 
 #define umul_ppmm(high, low, u, v)                                                                 \
