@@ -1,13 +1,13 @@
 /* open_rows.c: see open_rows.h.
  *
- * First a point of both is looked for in the faces of a row (whole_point.c): closed frames that
- * touch have one. Elsewhere rows are asked one by one. Along n the two are apart by
+ * First a common point is searched in the faces of a row (whole_point.c): closed frames that touch
+ * have one. Otherwise rows are decided one by one. Along n the two are apart by
  *
  *     n (shift + finer (low corner of B - high corner of A))
  *
- * or by the same the other way round. Doubles tell which corners these are, the lowest words of
- * n (one corner - another) where they do not; and so of the gap. What that needs is that errors of
- * doubles are less than a quarter of what words hold, not that all numbers are.
+ * or by the same with A and B exchanged. Doubles decide which corners these are, or, if they are
+ * not certain, the lowest words of n (one corner - another); likewise for the sign of the gap. This
+ * requires errors of doubles, not all numbers, to be less than a quarter of the range of the words.
  *
  * Errors (normal.h): with p the product of the D - 1 largest of all a_i and a the largest, b that
  * of the shift, n times an edge is off by m_D u D! p a, and by that twice and a rounding between
@@ -15,9 +15,9 @@
  * shift, by (m_D + 2 D + 2) u D! p ((2 D + 1) a finer + b), and (2 D + 3) m_D is more than that.
  * Edges of a simplex are differences of its axes, twice as large.
  *
- * Where faces touch many rows have the same n, and where edges are parallel many are 0. So a row is
- * settled if its faces lie in those that an n that was asked is perpendicular to (its own is that,
- * or 0), or if there are vectors among them that are known to be dependent.
+ * If faces touch, many rows have the same n, and if edges are parallel, many have n = 0. So a row
+ * is settled if its faces lie in those perpendicular to an n decided before (its own n is then that
+ * one, or 0), or if its vectors include some that are known to be dependent.
  */
 #include "pair/kernels/open_rows.h"
 
@@ -60,7 +60,7 @@ static bool is_settled(const decider *d, whole_faces f)
 
 /* ---- directions ------------------------------------------------------------------------------ */
 
-/* Errors, and how many words that takes. False: too many. */
+/* Set the error bounds, and the number of words. False: too many. */
 static bool begin_normal(decider *d)
 {
     const whole_pair *p = &d->pair;
@@ -124,7 +124,7 @@ static bool find_normal(decider *d, whole_faces faces, bool from_b)
     return true;
 }
 
-/* How far a cuboid reaches along n; all edges that this is perpendicular to. */
+/* The extent of a cuboid along n; returns all edges perpendicular to n. */
 static unsigned span_cuboid(const decider *d, const whole_body *b, unsigned face, whole_span *out)
 {
     out->low = out->high = 0;
@@ -152,7 +152,7 @@ static int compare_corners(const decider *d, int k, unsigned face, const double 
                            fmb_whole_pair_edge(&d->pair, k, j, i, &between)->whole);
 }
 
-/* The same of a simplex; all corners that are as far along n as those of the face. */
+/* The extent of a simplex along n; returns all corners as far along n as those of the face. */
 static unsigned span_simplex(const decider *d, int k, unsigned face, whole_span *out)
 {
     const whole_body *b = &d->pair.body[k];

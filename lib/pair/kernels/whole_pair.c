@@ -53,7 +53,7 @@ static void put_number(normal_vector *v, int j, int64_t x)
     v->most = fabs(v->near[j]) > v->most ? fabs(v->near[j]) : v->most;
 }
 
-/* What B's number has more than A's. */
+/* Read the difference of B's number and A's. */
 static void read_difference(const whole_records *x, unsigned l, int from, double scale,
                             normal_vector *out)
 {
@@ -108,7 +108,7 @@ const normal_vector *fmb_whole_pair_edge(const whole_pair *p, int body, int firs
     return room;
 }
 
-/* `by` times the low or the high corner goes to the sum. */
+/* sum += by times the low or the high corner. */
 static void add_whole_corner(int dim, const whole_body *b, const whole_span *s, bool high,
                              int64_t by, int64_t *sum)
 {

@@ -1,4 +1,4 @@
-/* whole_point.c: a point of both frames of a pair that touch; see whole_point.h.
+/* whole_point.c: a common point of two frames that touch; see whole_point.h.
  *
  * Where a row's n is the direction in which the two touch, the point a + sum x_i v_i over the
  * vectors of A's face, from A's high corner a, is b + sum x_j v_j over those of B's: with
@@ -28,7 +28,7 @@ enum { DIM = NORMAL_MOST_DIM, MOST_SHARES = 2 * (DIM + 1), MOST_STEPS = 32 };
 
 static const double NEXT_TO = 0x1p-10, REGULAR = 0x1p-30, CLEAN = 0x1p-20, STEEPEST = 0x1p20;
 
-/* x_i of the vector of an edge. */
+/* The coefficient x_i of the vector of an edge. */
 typedef struct share {
     int body, number;
     const normal_vector *v;
@@ -129,7 +129,7 @@ static void find_span_of_cuboid(touching *m, int k, unsigned face, double size, 
     }
 }
 
-/* The same of a simplex. */
+/* The extent of a simplex along n. */
 static void find_span_of_simplex(const touching *m, int k, double *at, whole_span *out)
 {
     const whole_body *b = &m->p->body[k];
@@ -185,7 +185,7 @@ static bool find_corners(touching *m, whole_faces faces)
     return true;
 }
 
-/* by v goes to w. */
+/* w += by v. */
 static void add_to_way(touching *m, int64_t by, const normal_vector *v)
 {
     m->w.most = 0;
