@@ -1,5 +1,5 @@
-/* decimal.c: see decimal.h. All is done in whole numbers: floor(|q| 10^k), k such that this has all
- * digits that may be wanted and one more, and whether anything is left behind it. */
+/* decimal.c: see decimal.h. All is computed in integers: floor(|q| 10^k), with k such that this has
+ * all required digits and one more, and whether there is a remainder. */
 #include "common/decimal.h"
 
 #include <stdio.h>
@@ -67,7 +67,7 @@ static long_decimal find_digits(mpq_srcptr q, int digits)
     return d;
 }
 
-/* The digits that stay become one more in the last place; of 999 that is 1000. */
+/* Add one unit in the last place of the kept digits; 999 becomes 1000. */
 static void step_away(long_decimal *d)
 {
     size_t i = d->n;
@@ -81,7 +81,7 @@ static void step_away(long_decimal *d)
     d->exponent++;
 }
 
-/* Is what lies behind the first `keep` digits more than half a unit, or half, behind an odd digit?
+/* Are the digits after the first `keep` more than half a unit, or exactly half after an odd digit?
  */
 static bool is_nearer_away(const long_decimal *d, size_t keep)
 {
@@ -90,7 +90,7 @@ static bool is_nearer_away(const long_decimal *d, size_t keep)
            (d->digit[keep] == '5' && (more || (d->digit[keep - 1] - '0') % 2 != 0));
 }
 
-/* Keep so many of more digits; false if nothing but zeros went. */
+/* Round to `keep` digits; false if only zeros were removed. */
 static bool cut_digits(long_decimal *d, size_t keep, app_rounding way, int sign)
 {
     bool exact = !d->rest && strspn(d->digit + keep, "0") == d->n - keep;

@@ -22,7 +22,7 @@ static int column_of_names(const app_program *p)
     return (int)width;
 }
 
-/* The table stands between the first line of the documentation and what follows the options. */
+/* The table comes between the first line of the documentation and the text after the options. */
 static char *help_text(int key, const char *text, void *input)
 {
     const app_program *p = input;
@@ -48,7 +48,7 @@ static const char *hint_at_command(const app_program *p, const char *word, char 
     return app_nearest_hint(&near, hint);
 }
 
-/* Sees a command line without a command: what is left is help, or a mistake. */
+/* Parses a command line without a command: it is a request for help, or an error. */
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     const app_program *p = state->input;
@@ -169,7 +169,7 @@ static void spell_out_help(const app_program *p, int argc, char **argv)
         argv[1] = argv[2];
         argv[2] = option;
     } else {
-        argv[1] = argv[2]; /* what was meant is told where commands are looked up */
+        argv[1] = argv[2]; /* the hint is given where commands are looked up */
         argv[2] = NULL;
     }
 }

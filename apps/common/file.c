@@ -89,8 +89,8 @@ void app_file_close_input(FILE *f)
 /* An output that has not got its name yet. */
 typedef struct output {
     FILE *file;
-    char *target;    /* where it goes, links resolved */
-    char *temporary; /* where it is; "" if it has no name at all */
+    char *target;    /* its final name, links resolved */
+    char *temporary; /* its present name; "" if it has none */
     struct output *next;
 } output;
 
@@ -185,8 +185,8 @@ static bool open_output(output *o)
     return o->file != NULL;
 }
 
-/* A nameless file gets the name of the target at once where there is none. Links replace nothing:
- * else it gets one beside it first, of which a kill right then is all that can leave it behind. */
+/* Give a nameless file the name of the target. A link cannot replace an existing file: then it gets
+ * a temporary name beside it first, which stays behind only if the process is killed just then. */
 static bool link_nameless(output *o, int descriptor)
 {
     char own[32];

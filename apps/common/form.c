@@ -20,7 +20,7 @@ static const char *hint_at_name(const fmb_system *s, const char *at, char hint[A
     return app_nearest_hint(&near, hint);
 }
 
-/* The text, and a caret below the byte where it goes wrong; nothing where one line cannot show it.
+/* Print the text with a caret below the wrong byte; nothing if one line cannot show it.
  */
 static void show_place(const char *text, size_t at)
 {

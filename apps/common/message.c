@@ -20,7 +20,7 @@ static bool as_json;
 
 static struct {
     int own;  /* the real standard error, by another number; -1: nothing is captured */
-    int file; /* in memory: what stands in its place */
+    int file; /* a file in memory that replaces it */
     const char *name;
 } captured = {.own = -1};
 

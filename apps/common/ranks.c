@@ -1,4 +1,4 @@
-/* ranks.c: see ranks.h. A process alone has its counters here; several are joined by the module. */
+/* ranks.c: see ranks.h. A single process has its counters here; the module joins several. */
 #include "common/ranks.h"
 
 #include <dlfcn.h>
@@ -17,7 +17,7 @@ static struct {
 
 /* ---- the module ------------------------------------------------------------------------------ */
 
-/* Does a launcher say so? How many processes it says, or "some". */
+/* Has a launcher started several processes? Their number as it says, or "some"; else NULL. */
 static const char *count_launched(void)
 {
     static const char *const of[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
@@ -28,7 +28,7 @@ static const char *count_launched(void)
 }
 
 #ifdef APP_RANKS_MODULE
-/* MPI has plug-ins of its own, which must see it. */
+/* MPI loads plug-ins, which must find its symbols. */
 static int join_by_module(const char *processes, size_t counters)
 {
     team.by = app_module_symbol("ranks-mpi", "app_ranks_mpi");

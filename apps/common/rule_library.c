@@ -21,7 +21,7 @@ static int refuse_library(const char *path, const char *why)
     return APP_CANNOT_OPEN;
 }
 
-/* A name that --rules can tell from those that mean something else. */
+/* Has the rule a name that --rules can distinguish from other words? */
 static bool has_name_of_its_own(const fmb_rule *rule)
 {
     const char *name = rule->name;
@@ -29,7 +29,7 @@ static bool has_name_of_its_own(const fmb_rule *rule)
            strcmp(name, "default") != 0 && !fmb_rule_find(name);
 }
 
-/* One that names of files and columns may hold, and that --order can tell from its own words. */
+/* Has the order a name that file and column names may contain, and that is no word of --order? */
 static bool is_order_of_its_own(const fmb_named_chooser *order)
 {
     static const char SOUND[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
@@ -143,8 +143,8 @@ static bool add_rule(app_rule_set *set, const fmb_rule *rule)
     return false;
 }
 
-/* Words that l does not know stay, in their order, empty ones, too: the solver refuses them. If
- * none stays, nothing else is asked for. */
+/* Words that l does not know are kept, in order, also empty ones: the solver refuses them. If there
+ * are none, only rules of l are used. */
 static bool sort_words(const app_rule_library *l, const char *words, app_rule_set *out)
 {
     char *copy = app_need(strdup(words)), *rest = copy, *word;

@@ -15,8 +15,8 @@ void app_signals_fill(sigset_t *set)
         sigaddset(set, CAUGHT[i]);
 }
 
-/* nohup has asked that a closed terminal does not count, a shell that Ctrl-C does not in the
- * background. */
+/* Is the signal ignored? nohup has a closed terminal ignored, a shell Ctrl-C in the background.
+ */
 static bool is_ignored(int number)
 {
     struct sigaction now;

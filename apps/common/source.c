@@ -122,7 +122,7 @@ fmb_reader app_source_reader(app_source *src)
                         .max_bytes = src->max_input};
 }
 
-/* What a reader of the library is asked for. */
+/* The kind of result wanted from a reader of the library. */
 typedef struct wanted {
     fmb_system **system;
     fmb_generators **generators; /* or NULL: a system alone */
@@ -198,7 +198,7 @@ int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system
     return read_file(src, &(wanted){.system = out, .map_over = s});
 }
 
-/* A linear program, with a row for each bound, is not what its author would recognise. */
+/* MPS and LP are written as text, as with a row for each bound authors would not recognize them. */
 fmb_format app_source_written(const app_source *src)
 {
     fmb_format f = src->format ? src->format : fmb_format_of_name(src->file);

@@ -59,7 +59,7 @@ int app_source_outcome_of(app_kind wanted, fmb_status st, const char *path, cons
 /* Returns FMB_ERR_PARSE, for a file that should have pairs of frames, and has none. */
 fmb_status app_source_without_pairs(fmb_where *where);
 
-/* The format of FILE by --format or its name, if it can be written; else FMB_FORMAT_TEXT. */
+/* The format of FILE by --format or its name, if it is .ine or SMT-LIB; else FMB_FORMAT_TEXT. */
 fmb_format app_source_written(const app_source *src);
 
 /* Write s to standard output; an exit code. */

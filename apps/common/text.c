@@ -22,7 +22,7 @@ static bool is_escape(const char *p)
     return p[0] == '\\' && p[1] == 'x' && is_hex_digit(p[2]) && is_hex_digit(p[3]);
 }
 
-/* As it is, whoever reads it. */
+/* Is the byte written unchanged, for a terminal and for JSON? */
 static bool is_plain(char byte)
 {
     return byte >= ' ' && byte <= '~' && byte != '\\';

@@ -187,7 +187,7 @@ static void fill_table(solver_table *t, const app_usage *usage)
     }
 }
 
-/* Each child gets its part of the question. */
+/* Give each child parser its part of app_ask. */
 static error_t share_inputs(int key, char *arg, struct argp_state *state)
 {
     (void)arg;

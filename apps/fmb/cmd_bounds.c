@@ -40,7 +40,7 @@ static const app_usage usage = {
     .own = &own,
 };
 
-/* Ends of intervals go outward. */
+/* Ends of intervals are rounded outward. */
 static app_rounding outward(fmb_side side)
 {
     return side == FMB_LOWER ? APP_DOWN : APP_UP;

@@ -1,5 +1,5 @@
-/* cmd_check.c: fmb check FILE PROOF. Of the library it sees systems, their readers and the checker,
- * so that nothing which solves has a say in what is accepted. */
+/* cmd_check.c: fmb check FILE PROOF. It includes only systems, their readers and the checker of the
+ * library, so that no solving code influences what is accepted. */
 #include <float.h>
 #include <fmb/gmp.h>
 #include <fmb/io.h>
@@ -181,7 +181,7 @@ static bool give_up(void *self)
     return is_asked_to_stop != 0;
 }
 
-/* From here on time passes, and signals stop what runs. */
+/* Start the clock; from here on signals stop the check. */
 static void begin_to_wait(request *r)
 {
     r->patience.give_up = give_up;
@@ -189,7 +189,7 @@ static void begin_to_wait(request *r)
     app_signals_set(ask_to_stop);
 }
 
-/* What is left of the patience; no time at all would mean no limit. */
+/* The remaining patience; it is never 0, which would mean no limit. */
 static fmb_patience patience_left(const request *r)
 {
     fmb_patience p = r->patience;
@@ -198,7 +198,7 @@ static fmb_patience patience_left(const request *r)
     return p;
 }
 
-/* Nothing was judged. */
+/* Print a stop before anything was judged. */
 static void print_stop_as_json(fmb_stop stop)
 {
     json_t *obj = app_need(json_object());
@@ -238,7 +238,7 @@ typedef struct finding {
     const fmb_system *s;
     const fmb_evidence *e;
     fmb_judgement j;
-    fmb_stop stop; /* of the judge, or of looking at what the claims are about */
+    fmb_stop stop; /* of the checker, or of the test of the demand */
     bool integers; /* the system has some */
     bool meets;    /* the demand */
     char missing[160];
@@ -262,7 +262,7 @@ static void count_kinds(const fmb_evidence *e, size_t count[KINDS])
         count[fmb_evidence_kind(e, i)]++;
 }
 
-/* Is anything said of a projection, and is it whole: the one that is demanded, or any? */
+/* Are there claims about a projection, the demanded one or any, and is it proved complete? */
 static fmb_status look_at_projection(const request *r, const fmb_system *image, finding *f)
 {
     const fmb_patience patience = patience_left(r);
@@ -276,7 +276,7 @@ static fmb_status look_at_projection(const request *r, const fmb_system *image, 
                     : FMB_OK;
 }
 
-/* Are they the claims that are wanted? After a limit of the judge nobody looks. */
+/* Do the claims meet the demand? Not tested after a limit of the checker. */
 static fmb_status look_at_claims(const request *r, const fmb_system *image, finding *f)
 {
     const fmb_patience patience = patience_left(r);
@@ -399,7 +399,7 @@ static void print_json(const request *r, const finding *f)
     app_json_print(obj);
 }
 
-/* All variables become real. */
+/* Make all variables real. */
 static int forget_integers(fmb_system *s)
 {
     fmb_status st = FMB_OK;

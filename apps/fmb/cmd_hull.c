@@ -26,7 +26,7 @@ static fmb_status append_generators(fmb_generators *to, const fmb_generators *fr
     return st;
 }
 
-/* One with a ray and without a vertex is empty, and so is what goes on from it. */
+/* Has g a vertex? Generators without one, even with rays, generate the empty set. */
 static bool has_vertex(const fmb_generators *g)
 {
     for (size_t i = 0; i < fmb_generators_size(g); i++)

@@ -87,7 +87,7 @@ static fmb_norm norm_of(const char *word, struct argp_state *state)
     return (fmb_norm)app_value_choice("--norm", word, WORD, state);
 }
 
-/* An option about what is near; ARGP_ERR_UNKNOWN: it is none. */
+/* Parse an option of intersect_near.h; ARGP_ERR_UNKNOWN: it is none. */
 static error_t parse_near(int key, const char *arg, near_ask *ask, struct argp_state *state)
 {
     switch (key) {

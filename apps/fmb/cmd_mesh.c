@@ -152,7 +152,7 @@ static error_t check_arguments(const mesh_ask *ask, struct argp_state *state)
     return 0;
 }
 
-/* An option about how much there may be; ARGP_ERR_UNKNOWN: it is none. */
+/* Parse an option that sets a limit; ARGP_ERR_UNKNOWN: it is none. */
 static error_t parse_limit(int key, const char *arg, mesh_ask *ask, struct argp_state *state)
 {
     switch (key) {
@@ -341,7 +341,7 @@ static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
     return code;
 }
 
-/* Rank 0 alone reads; what it has read all have. */
+/* Rank 0 reads the meshes and sends them to all ranks. */
 static int read_meshes(const mesh_ask *ask, int files, fmb_mesh *m[2])
 {
     int code = APP_YES;
@@ -354,7 +354,7 @@ static int read_meshes(const mesh_ask *ask, int files, fmb_mesh *m[2])
     return code;
 }
 
-/* Several processes begin and end alike, and Ctrl-C ends them without an answer. */
+/* Answer by several processes; Ctrl-C ends them without an answer. */
 static int answer_as_ranks(const mesh_ask *ask)
 {
     fmb_mesh *m[2] = {NULL, NULL};

@@ -18,7 +18,7 @@ static const struct argp_option options[] = {
     {0}};
 
 typedef struct request {
-    fmb_sense sense; /* NONE: the file says what is wanted */
+    fmb_sense sense; /* NONE: take the objective of the file */
     const char *form;
 } request;
 
@@ -73,7 +73,7 @@ static bool is_known(const fmb_optimum *o)
     return kind == FMB_END_FINITE || kind == FMB_END_INFINITE;
 }
 
-/* Does the optimum have a point that tells something? */
+/* Is there a point worth reporting? */
 static bool has_point(const app_session *s, const fmb_optimum *o)
 {
     return o && s->result.verdict == FMB_FEASIBLE;
@@ -95,7 +95,7 @@ static void evaluate_at_point(const app_session *s, const fmb_optimum *o, mpq_t 
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
-/* At a limit: "40 <= max <= 43", "max >= 40", "max <= 43", as far as is known, or "unknown (rows)".
+/* After a limit, by what is known: "40 <= max <= 43", "max >= 40", "max <= 43", "unknown (rows)".
  */
 static void print_value_at_limit(const app_session *s, const fmb_optimum *o)
 {

@@ -102,7 +102,7 @@ static int choose(const request *r, const fmb_system *s, int **vars, int *n)
     return requested_by_file(s, vars, n);
 }
 
-/* What is kept; symmetries of FILE, from a file or found, or NULL; classes of rows of the answer.
+/* The kept variables; symmetries of FILE, given or found, or NULL; classes of rows of the answer.
  */
 typedef struct task {
     int *vars, n;
@@ -132,7 +132,7 @@ static int find_symmetries(app_session *s, task *t)
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }
 
-/* Classes under symmetries of the answer, which a file tells. */
+/* Report classes under symmetries of the answer, which are read from a file. */
 static int report_classes_of_file(const app_session *s, const request *r,
                                   const fmb_system *projection)
 {

@@ -121,7 +121,7 @@ static void report_json(const app_session *s, const fmb_fate *fate, const fmb_sy
     app_json_print(obj);
 }
 
-/* small NULL: there is no room for it, and the system as it was read says the same. */
+/* small NULL: there is no memory for it; the system as read has the same solutions. */
 static int report(const app_session *s, fmb_format to, const fmb_fate *fate,
                   const fmb_system *small)
 {

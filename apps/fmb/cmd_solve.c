@@ -43,7 +43,7 @@ static void report(const app_session *s)
         app_verdict_print(s);
 }
 
-/* A script that asks once is a system; one that asks more often is *script. */
+/* A script with one question becomes the system; one with several becomes *script. */
 static int open_script(app_session *s, app_source *source, fmb_script **script)
 {
     fmb_where where = {0};

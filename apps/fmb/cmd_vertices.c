@@ -70,13 +70,13 @@ static void print_decimals(const fmb_generators *g, int digits)
     mpq_clear(q);
 }
 
-/* That there is no point is the whole answer, whatever was reached; that there is one is none. */
+/* Is the answer complete? INFEASIBLE is, even after a limit; FEASIBLE alone is not. */
 static bool is_finished(const app_session *s)
 {
     return s->result.verdict == FMB_INFEASIBLE || s->result.stop == FMB_STOP_DONE;
 }
 
-/* At a limit they are some of all. */
+/* After a limit the generators are incomplete. */
 static int exit_code(const app_session *s, const fmb_generators *g)
 {
     if (is_finished(s))

@@ -1,5 +1,5 @@
-/* convert_pairs.c: see convert_pairs.h. Pairs wait until some are there, so that those that are
- * alike share a header. */
+/* convert_pairs.c: see convert_pairs.h. Pairs are collected, so that consecutive ones of the same
+ * layout share a header. */
 #include "fmb/convert_pairs.h"
 
 #include <errno.h>
@@ -15,7 +15,7 @@
 
 enum { MOST_PAIRS = 4096, MOST_NUMBERS = 1 << 17 };
 
-/* Pairs of one dimension on their way out, and their numbers. */
+/* The collected pairs, of one dimension, and their numbers. */
 typedef struct waiting {
     fmb_frame frame[2][MOST_PAIRS];
     double number[MOST_NUMBERS];
@@ -53,7 +53,7 @@ static fmb_frame keep_frame(waiting *w, const fmb_frame *f)
     return kept;
 }
 
-/* A pair that has more numbers than may wait is written at once. */
+/* Add a pair; one with more numbers than can be collected is written at once. */
 static fmb_status put_pair(waiting *w, const fmb_frame frame[2])
 {
     size_t n = count_numbers(&frame[0]) + count_numbers(&frame[1]);
@@ -68,7 +68,7 @@ static fmb_status put_pair(waiting *w, const fmb_frame frame[2])
     return st;
 }
 
-/* Every pair, up to the end or a mistake, which is then told. */
+/* Write every pair, up to the end or an error, which is then reported. */
 static int write_all(fmb_frame_reader *lines, const char *file)
 {
     const fmb_frame_line *line = NULL;

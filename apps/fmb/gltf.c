@@ -12,7 +12,7 @@
 
 enum { TRIANGLES = 4, STRIP, FAN };
 
-/* At their place in the scene, each coordinate rounded as doubles are. */
+/* Write points at their place in the scene, computed in doubles. */
 static bool write_points(gltf *g, const double m[16], const gltf_accessor *points)
 {
     for (size_t i = 0; i < points->count; i++) {
@@ -90,7 +90,7 @@ static const char *name_in(const json_t *of)
     return name && *name ? name : NULL;
 }
 
-/* That of the node, or of its mesh. */
+/* Write the name of the node, or of its mesh. */
 static void write_name(const gltf *g, const json_t *node, const json_t *mesh)
 {
     const char *own = name_in(node), *shared = name_in(mesh);
@@ -152,7 +152,7 @@ static void matrix_of_node(gltf *g, const json_t *node, double out[16])
     matrix_of_parts(t, q, s, out);
 }
 
-/* A node and all below it; left: how deep it may still go, as nodes must not be their own children.
+/* Write a node and its descendants; left: the remaining depth, as none may contain itself.
  */
 static bool write_node(gltf *g, size_t at, const double above[16], size_t left)
 {
@@ -172,7 +172,7 @@ static bool write_node(gltf *g, size_t at, const double above[16], size_t left)
     return true;
 }
 
-/* Each node that is no child, where the file has no scene. */
+/* The roots, if the file has no scene: the nodes that are no children. */
 static json_t *find_roots(const gltf *g)
 {
     const json_t *nodes = json_object_get(g->root, "nodes"), *node, *child;
@@ -191,7 +191,7 @@ static json_t *find_roots(const gltf *g)
     return roots;
 }
 
-/* Nodes that share a child would multiply it without end: each may be a root or a child once. */
+/* Is each node a root or a child at most once? Shared children could multiply without bound. */
 static bool is_forest(gltf *g)
 {
     const json_t *node, *child;

@@ -1,6 +1,6 @@
 /* gltf_file.c: see gltf_file.h. As glTF 2.0 has it (Khronos Group, 2021; ISO/IEC 12113:2022):
- * chapter 3.6 buffers and accessors, 4.4 GLB. Extensions are refused where the file requires them,
- * but for those that leave positions alone, and integers as positions (KHR_mesh_quantization).
+ * chapter 3.6 buffers and accessors, 4.4 GLB. Extensions that the file requires are refused, except
+ * those that do not change positions, and integer positions (KHR_mesh_quantization).
  */
 #include "fmb/gltf_file.h"
 
@@ -229,7 +229,7 @@ double gltf_number(const gltf_accessor *a, size_t i, size_t k)
 
 /* ---- files ----------------------------------------------------------------------------------- */
 
-/* Positions are where they are without these. */
+/* Does the extension leave positions unchanged? */
 static bool may_be_ignored(const char *extension)
 {
     return strncmp(extension, "KHR_materials_", 14) == 0 ||

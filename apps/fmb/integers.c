@@ -85,8 +85,8 @@ static fmb_status fix_integers(const app_session *s, size_t claim, fmb_system **
     return st;
 }
 
-/* [give] Evidence about fixed as evidence about the system, which has fewer rows: a point has no
- * use for them, so in the text of the proof (docs/proof-format.md) only the shape changes. */
+/* [give] Convert evidence about fixed to evidence about the system, which has fewer rows: for a
+ * point only the shape changes in the text of the proof (docs/proof-format.md). */
 static fmb_status evidence_of_system(const app_session *s, const fmb_system *fixed,
                                      fmb_evidence **out)
 {
@@ -108,7 +108,7 @@ static fmb_status evidence_of_system(const app_session *s, const fmb_system *fix
     return st;
 }
 
-/* Solve fixed in what is left of the time; its point, if there is one, becomes the session's. */
+/* Solve fixed in the remaining time; its point, if there is one, becomes the session's. */
 static int solve_fixed(app_session *s, const fmb_system *fixed)
 {
     fmb_options o = s->options;

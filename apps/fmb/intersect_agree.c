@@ -1,5 +1,5 @@
-/* intersect_agree.c: does what was found near a pair agree with its verdict? Both come from
- * different ways through the library, so that one that is wrong is noticed here. */
+/* intersect_agree.c: are distances, depths, common points and rows consistent with the verdict?
+ * They come from independent code of the library, so an error in one of them is noticed here. */
 #include "fmb/intersect_near.h"
 
 static bool is_zero(const fmb_proximity *p)
@@ -12,8 +12,8 @@ static bool is_zero(const fmb_proximity *p)
     return zero;
 }
 
-/* Frames that meet without their boundaries meet with them, where depth and common points are
- * asked for. */
+/* Open frames that meet also meet as closed ones, for which depth and common points are computed.
+ */
 static const char *contradiction_when_meeting(const near_ask *ask, const near_found *found)
 {
     if (ask->depth && !found->depth)
@@ -23,8 +23,8 @@ static const char *contradiction_when_meeting(const near_ask *ask, const near_fo
     return NULL;
 }
 
-/* Frames that only touch are apart if they are open, at a distance of 0. The row is asked for with
- * the contact of the verdict. */
+/* Open frames that only touch are apart, at a distance of 0. The row is computed with the contact
+ * of the verdict. */
 static const char *contradiction_when_apart(const near_ask *ask, fmb_contact contact,
                                             const near_found *found)
 {

@@ -1,5 +1,5 @@
-/* intersect_batch.c: many pairs at once. Those in doubles wait for fmb_pair_test; those that come
- * between them and are not are answered exactly at once, and wait with them to be reported. */
+/* intersect_batch.c: many pairs at once. Pairs in doubles are collected for fmb_pair_test; others
+ * between them are answered exactly at once, and their reports wait for their turn. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,7 +63,7 @@ void batch_join(const batch *b)
     app_stop_pairs(b->k);
 }
 
-/* A kernel for this dimension; nothing waits. */
+/* Make a pair query for this dimension; no pairs are collected. */
 static fmb_status prepare(batch *b, int dim)
 {
     size_t d = (size_t)dim;
@@ -94,7 +94,7 @@ static interval interval_of(const batch *b, const double *ends, char *at)
                       .at = at};
 }
 
-/* What fmb_pair_test said of pair i. */
+/* Read the answers of fmb_pair_test about pair i. */
 static void take_answer(batch *b, size_t i, const fmb_pair_answers *a)
 {
     meeting *m = &b->found[b->place[i]];
@@ -185,8 +185,8 @@ static void put_pair(batch *b, const fmb_frame_line *line)
     b->place[b->pairs++] = b->lines;
 }
 
-/* Frames of doubles, as far as there is room for their numbers, of which no more is asked than
- * verdicts and boxes. */
+/* Can the line be collected: frames of doubles, with room for their numbers, and only verdicts and
+ * boxes requested? */
 static bool is_for_batch(const batch *b, const fmb_frame_line *line)
 {
     return line->are_doubles && b->x->ask->boxes != BOXES_EXACT &&

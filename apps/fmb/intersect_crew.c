@@ -1,9 +1,9 @@
 /* intersect_crew.c: a stream of pairs by several threads.
  *
- * The stream is cut into portions of whole lines, which wait until there are enough for a round;
- * then each is read, answered and reported by one thread, into memory, and the reports go out in
- * order. No answer depends on where the cuts are. Those who have slow pairs see answers soon, as a
- * round that takes long makes portions shorter. */
+ * The stream is cut into portions of complete lines, which are collected for a round; then each is
+ * read, answered and reported by one thread, into memory, and the reports are printed in order. No
+ * answer depends on where the cuts are. After a slow round portions become shorter, so that slow
+ * pairs are reported soon, too. */
 #include <errno.h>
 #include <pthread.h>
 #include <signal.h>
@@ -29,7 +29,7 @@ typedef struct portion {
     FILE *in; /* into text, while it is filled */
     char *text, *report, *messages;
     size_t size, length, messages_length;
-    long before, lines; /* in front of it, in it */
+    long before, lines; /* number of lines before it, and in it */
     bool is_whole;      /* all of it was answered */
     intersect found;    /* counts */
     fmb_status read, asked;
@@ -47,7 +47,7 @@ struct crew {
     intersect *x;
     member *member;     /* [x->ask->threads] */
     portion *portion;   /* [ROUND x->ask->threads] */
-    size_t most, ready; /* portions; those that are full */
+    size_t most, ready; /* number of portions; of full ones */
     atomic_size_t next; /* to be answered */
     long lines;         /* read so far */
     long each;          /* lines of a portion */
@@ -117,7 +117,7 @@ static void answer_round(crew *c)
         pthread_join(thread[i], NULL);
 }
 
-/* Up to the first portion with a mistake, or which a signal cut. */
+/* Report a portion; ends at the first one with an error, or cut off by a signal. */
 static void report_portion(crew *c, portion *p)
 {
     intersect *x = c->x;
@@ -183,7 +183,7 @@ void crew_flush(crew *c)
 
 /* ---- the stream is cut ----------------------------------------------------------------------- */
 
-/* Where the next line goes. */
+/* The portion for the next line. */
 static portion *open_portion(crew *c)
 {
     portion *p = &c->portion[c->ready];
@@ -205,8 +205,8 @@ static void count_line(crew *c, portion *p)
         crew_flush(c);
 }
 
-/* The next line, with its end; size 0 at the end of the stream. Of a line that is too long, one
- * byte more than the limit is kept: whoever reads it sees that. */
+/* Read the next line, with its end; size 0 at the end of the stream. Of a line that is too long,
+ * limit + 1 bytes are kept, so that its reader refuses it. */
 static void fetch_line(crew *c, FILE *in)
 {
     enum { LEAST = 1024, MOST = 1 << 30 };
@@ -225,7 +225,7 @@ static void fetch_line(crew *c, FILE *in)
     }
 }
 
-/* What opens a stream has no meaning on a later line: an empty one stands in front of it. */
+/* The start of a stream has a special meaning: before a later line an empty one is inserted. */
 static void put_line(crew *c)
 {
     portion *p = open_portion(c);

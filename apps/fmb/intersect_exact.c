@@ -84,10 +84,10 @@ static fmb_status find_box(const intersect *x, const fmb_frame_line *line, const
     return st;
 }
 
-/* Beyond it the coordinates of one frame in terms of the other's are too dear to write down. */
+/* In more dimensions, solving for the coordinates of one frame is too expensive. */
 #define MOST_SOLVED_DIM 32
 
-/* [give] What a box needs; or a verdict: fewer variables, where frames allow it. */
+/* [give] The system for a box; or for a verdict, with fewer variables where frames allow it. */
 static fmb_status make_system(const intersect *x, const fmb_frame_line *line, fmb_system **out,
                               fmb_stop *stop)
 {

@@ -1,5 +1,5 @@
-/* intersect_lines.c: the lines of a stream of pairs, answered by one thread; how they are read, and
- * what is seen of them on a terminal. */
+/* intersect_lines.c: the lines of a stream of pairs, read and answered by one thread, with progress
+ * on a terminal. */
 #include <errno.h>
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 
 static const double interval_seconds = 0.2; /* between two updates */
 
-/* Not where the report itself is seen to grow. */
+/* Progress is not shown if the report itself goes to the terminal. */
 progress progress_begin(const intersect_ask *ask)
 {
     bool wanted = !ask->quiet && isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);

@@ -86,7 +86,7 @@ static void write_intervals(const intersect *x, numbers *a, meeting *out)
     }
 }
 
-/* Where there is room for what is asked. */
+/* The arrays for the requested answers. */
 static fmb_pair_answers_q list_answers(const meeting *m, numbers *a)
 {
     mpq_t *inside = a->end + 2 * m->dim;
@@ -117,7 +117,7 @@ fmb_status intersect_quickly(const intersect *x, const fmb_frame_line *line, num
         places = list_answers(out, room);
     fmb_status st = fmb_pair_answer_q(p, q, &places, &out->verdict);
     if (x->ask->contact == FMB_CONTACT_OPEN && out->verdict == FMB_FEASIBLE)
-        out->verdict = FMB_UNKNOWN; /* who is closed may touch */
+        out->verdict = FMB_UNKNOWN; /* closed frames may only touch */
     if (st == FMB_OK && out->verdict == FMB_FEASIBLE && x->ask->boxes != BOXES_NONE)
         write_intervals(x, room, out);
     return st;

@@ -40,8 +40,8 @@ static bool is_plain(const char *json, size_t n)
     return plain;
 }
 
-/* What a pair is called: a string without its quotes, any other id, and one that holds a NUL, as it
- * stands. */
+/* Print the name of a pair: a string without its quotes; any other id, and one with a NUL, as
+ * written. */
 static void print_name(const meeting *m, FILE *out)
 {
     if (!m->id) {
@@ -225,7 +225,7 @@ static void drop(meeting *m)
     *m = (meeting){0};
 }
 
-/* The limit that left something of the pair open: its verdict, an end, or what is near. */
+/* The limit that left answers of the pair open: its verdict, an end, a distance or similar. */
 static fmb_stop stop_of(const meeting *m)
 {
     if (m->verdict == FMB_UNKNOWN)
@@ -236,7 +236,7 @@ static fmb_stop stop_of(const meeting *m)
     return m->near.stop;
 }
 
-/* Nobody should take either for the truth. */
+/* Report a contradiction, so that neither answer is trusted. */
 static void tell_contradiction(intersect *x, const meeting *m)
 {
     if (!m->near.contradiction)

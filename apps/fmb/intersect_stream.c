@@ -15,7 +15,7 @@ typedef struct stream {
     crew *crew;
 } stream;
 
-/* Whoever sends the lines may want an answer before the next one. */
+/* Answer the collected lines: the sender may wait for answers before the next line. */
 static void answer_what_waits(void *self)
 {
     stream *s = self;
@@ -87,7 +87,7 @@ int intersect_stream(const intersect_ask *ask, FILE *in)
         app_stop_end();
         report_end(&x);
     }
-    if (app_stop_asked()) /* giving back a million numbers one by one would take too long */
+    if (app_stop_asked()) /* freeing a million numbers one by one would take too long */
         exit(code == APP_YES ? exit_code(&x) : code);
     crew_free(s.crew);
     batch_free(s.alone.b);

@@ -1,6 +1,6 @@
-/* listen.c: see listen.h. A signal may come just before a wait begins: signals are held back until
- * ppoll waits, which lets them through and hears of them in one step. Calls that write go on after
- * a signal (signals.h), so nothing that was answered is lost. */
+/* listen.c: see listen.h. A signal may arrive just before a wait begins: signals are blocked until
+ * ppoll, which atomically unblocks them and returns if one arrives. Writing calls are restarted
+ * after a signal (signals.h), so no answer is lost. */
 #include "fmb/listen.h"
 
 #include <poll.h>
@@ -11,7 +11,7 @@
 #include "common/signals.h"
 #include "fmb/stop.h"
 
-/* Until there is input, its end, or a signal. */
+/* Wait until there is input, its end, or a signal. */
 static void wait_for(struct pollfd *p)
 {
     sigset_t held, before;

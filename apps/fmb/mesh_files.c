@@ -1,4 +1,4 @@
-/* mesh_files.c: meshes from files, and to one with those cells marked that meet. */
+/* mesh_files.c: reading meshes, and writing them to a file with the meeting cells marked. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,7 +58,7 @@ static int read_one_file(const mesh_ask *ask, const char *path, fmb_mesh **out)
     return app_source_outcome_of(APP_KIND_MESH, st, path, &where);
 }
 
-/* Of a file with this name; NULL: it is no scene. */
+/* The reader for a scene file of this name; NULL: it is no scene. */
 static scene_reader *scene_reader_of_name(const char *path)
 {
     static const struct {
@@ -73,7 +73,7 @@ static scene_reader *scene_reader_of_name(const char *path)
     return NULL;
 }
 
-/* By the text that it comes to, which is longer than it. */
+/* Read a scene through its OBJ text, which is longer than the file. */
 static int read_scene(const mesh_ask *ask, const char *path, scene_reader *as_obj, fmb_mesh **out)
 {
     scene_file file = {path, ask->max_input ? ask->max_input : FMB_READER_MAX_BYTES, {NULL, 0}};

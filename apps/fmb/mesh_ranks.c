@@ -46,7 +46,7 @@ int mesh_share(int code, fmb_mesh **m)
 
 /* ---- rows of pairs --------------------------------------------------------------------------- */
 
-/* What is told of the rows at hand, as a part of all. */
+/* Progress within the current rows, as a share of all. */
 typedef struct rows_progress {
     const fmb_mesh_options *of_all;
     double before, share;
@@ -83,14 +83,14 @@ static void append_answer(const fmb_mesh_answer *more, fmb_mesh_answer *all)
     all->stop = more->stop;
 }
 
-/* The limit of this rank, less what it has found. */
+/* The memory limit of this rank minus the hits found so far. */
 static size_t room_for_hits(const fmb_mesh_options *how, const fmb_mesh_answer *all)
 {
     size_t limit = how->max_bytes / (size_t)app_ranks(), used = all->capacity * sizeof *all->hit;
     return how->max_bytes == 0 ? 0 : limit > used ? limit - used : 1;
 }
 
-/* Of the limit of all rows; never 0, which is none. */
+/* The remaining time for all rows; never 0, which would mean no limit. */
 static double seconds_left(const fmb_mesh_options *how, double began)
 {
     double left = how->max_seconds - (fmb_monotonic_seconds() - began);
@@ -128,7 +128,7 @@ static int compare_hits(const void *x, const void *y)
     return p->a != q->a ? (p->a > q->a) - (p->a < q->a) : (p->b > q->b) - (p->b < q->b);
 }
 
-/* On rank 0. */
+/* Join the answers of all ranks on rank 0. */
 static void join_answers(fmb_mesh_answer *all)
 {
     uint64_t sum[5] = {all->tested, all->framed, all->stop == FMB_STOP_CANCELLED,

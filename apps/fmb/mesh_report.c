@@ -12,15 +12,15 @@
 #include "fmb/show.h"
 #include "fmb/stop.h"
 
-/* A report on its way. */
+/* The state of a report. */
 typedef struct report {
     const mesh_ask *ask;
     const fmb_mesh *a, *b;
     const fmb_mesh_answer *answer;
-    fmb_pair *pair;     /* NULL: nobody asks where */
-    fmb_solver *solver; /* NULL: nor for common points, or distances */
+    fmb_pair *pair;     /* NULL: places are not requested */
+    fmb_solver *solver; /* NULL: neither are common points, or distances */
     bool grouped;       /* cells of one or both are of groups with names */
-    bool measures;      /* distances are wanted of cells that are apart */
+    bool measures;      /* distances of cells that are apart are requested */
 } report;
 
 /* Lower, upper; x, y, z, t. */

@@ -31,8 +31,8 @@ static const char *initial_of(const char *name)
     return "";
 }
 
-/* What the command line could not know yet: instructions that this processor has not got, or a step
- * of the presolve that is none. */
+/* Report an option that the parser could not check: instructions that this processor lacks, or an
+ * unknown step of the presolve. */
 static int bad_option(const app_ask *ask)
 {
     fmb_options o = ask->options;
@@ -85,7 +85,7 @@ static int bad_rules(const app_session *s)
                      known, hint_at_rule(&s->library, rules ? rules : "", hint));
 }
 
-/* Rules of a library of one's own are told from those that the solver knows by name. */
+/* Open the rules, separated into those of an external library and those known by name. */
 static int open_rules(app_session *s)
 {
     int code = APP_YES;
@@ -97,7 +97,7 @@ static int open_rules(app_session *s)
                            : code;
 }
 
-/* An order of the library of one's own, if that is what was asked for. */
+/* Set an order of an external library, if one was requested. */
 static void set_order(const app_session *s)
 {
     if (s->ask->order)
@@ -105,7 +105,7 @@ static void set_order(const app_session *s)
                                app_rule_library_order(&s->library, s->ask->order)->chooser);
 }
 
-/* With the options of the session, in place of one that is there. */
+/* Make a solver with the options of the session, replacing an existing one. */
 static int make_solver(app_session *s)
 {
     fmb_options o = s->options;
@@ -142,8 +142,8 @@ int app_session_end_reading(app_session *s, int code)
     return make_solver(s);
 }
 
-/* Outputs are opened after the input was read, so that one which is the input is refused, and
- * before the query, as nobody likes to hear after an hour that a folder is missing. */
+/* Outputs are opened after the input was read, so that an output that is the input is refused, and
+ * before the query, so that a missing folder is not reported only after an hour. */
 int app_session_open_solver(app_session *s, const app_ask *ask)
 {
     *s = (app_session){.ask = ask, .options = ask->options, .result = {.size = sizeof s->result}};
@@ -216,7 +216,7 @@ int app_session_undecided(const app_session *s, const char *what)
     return APP_UNDECIDED;
 }
 
-/* Who names rules hears when a query was answered without any: by linear programs, for example. */
+/* If rules were named, note when a query was answered without any, as by linear programs. */
 static void note_idle_rules(const app_session *s)
 {
     const char *rules = s->ask->options.rules;
@@ -233,7 +233,7 @@ int app_session_proof_error(const char *path, fmb_status st)
                : app_status_error(st);
 }
 
-/* What is not whole is not left behind. */
+/* Write the proof; an incomplete one is discarded. */
 static int write_proof(app_session *s)
 {
     if (!s->proof)
@@ -253,7 +253,7 @@ static int write_proof(app_session *s)
 
 int app_session_close(app_session *s, int code)
 {
-    if (code >= APP_USAGE) { /* what was there before stays */
+    if (code >= APP_USAGE) { /* older files are kept */
         app_file_discard(s->proof);
         app_file_discard(s->trace);
         s->proof = s->trace = NULL;

@@ -1,5 +1,5 @@
-/* script.c: see script.h. The solver keeps the rows of the last check that the next one shares,
- * from the first on, and what it has found out about them (<fmb/session.h>). */
+/* script.c: see script.h. The solver keeps the common first rows of consecutive checks, and its
+ * state for them (<fmb/session.h>). */
 #include "fmb/script.h"
 
 #include <fmb/session.h>
@@ -50,7 +50,7 @@ static fmb_status add_row(fmb_solver *v, const fmb_system *s, size_t i)
     return st;
 }
 
-/* What is loaded becomes s. */
+/* Change the loaded system to s. */
 static fmb_status change_loaded(fmb_solver *v, const fmb_system *s)
 {
     const fmb_system *old = fmb_solver_system(v);
@@ -190,7 +190,7 @@ static char *numbered_path(const char *path, size_t number, const char *ending)
     return app_print("%.*s.%zu%s", stem, path, number, ending ? ending : dot ? dot : "");
 }
 
-/* The proof, and the rows that it speaks of: the script as a whole is no system. */
+/* Write the proof, and the rows that it is about, as the whole script is no system. */
 static int write_numbered(const app_session *s, size_t number, const char *ending)
 {
     FILE *out;

@@ -134,7 +134,7 @@ char *app_show_objective(const fmb_system *s, int sign, bool constant, int digit
 
 /* ---- JSON ------------------------------------------------------------------------------------ */
 
-/* A text from malloc, which is given up. */
+/* A JSON string of a text from malloc, which is freed. */
 static json_t *json_of_text(char *text)
 {
     json_t *value = json_string(text);

@@ -1,7 +1,7 @@
 /* stop.c: see stop.h. A signal handler can reach only static storage.
  *
- * What runs is freed by its own thread, and the handler may run in another: so who takes something
- * away waits until no handler is at work that could have seen it. The handler never waits. */
+ * Solvers and pairs are freed by their own thread, and the handler may run in another: so a thread
+ * that removes one waits until no running handler could have seen it. The handler never waits. */
 #include "fmb/stop.h"
 
 #include <errno.h>
@@ -42,7 +42,7 @@ static void wait_for_handlers(void)
         ;
 }
 
-/* A signal that came before a query began is passed on as soon as the query shows a sign of life.
+/* A signal that arrived before a query began is passed on at the first event of the query.
  */
 static void put(void *self, const fmb_event *e)
 {

@@ -48,7 +48,7 @@ typedef struct model {
     int code;
 } model;
 
-/* The first mistake is told, where it stands in the XML; it ends the reading. */
+/* Report the first error, with its place in the XML; it ends the reading. */
 __attribute__((format(printf, 2, 3))) static bool refuse(model *m, const char *format, ...)
 {
     char text[256];
@@ -273,7 +273,7 @@ static bool write_mesh(model *m, const object *o, const place *at)
                   m->file->most);
 }
 
-/* left: how deep objects may still be within others, as none may be within itself. */
+/* left: the remaining depth of nesting, as no object may contain itself. */
 static bool write_object(model *m, const object *o, const place *at, size_t left)
 {
     enum { MOST_PLACED = 1 << 20 }; /* as few objects may be made of many of each other */

@@ -1,6 +1,6 @@
-/* watch.c: see watch.h. A signal handler can reach only static storage, so the solver that is
- * running stands there. Progress is shown by a thread of its own: a single round of an elimination
- * may take minutes, in which the query says nothing, and its time is to go on. */
+/* watch.c: see watch.h. A signal handler can reach only static storage, so the running solver is
+ * kept there. Progress is shown by a separate thread: a single round of an elimination may take
+ * minutes without events, while the time shown must advance. */
 #include "fmb/watch.h"
 
 #include <errno.h>
@@ -96,8 +96,8 @@ static void end_showing(app_watch *w)
 
 /* ---- the query ------------------------------------------------------------------------------- */
 
-/* A signal that came before the query began was not meant for it in the solver's eyes, but was in
- * the user's: it is passed on as soon as the query shows a sign of life. */
+/* A signal that arrived before the query began does not cancel it by itself, but the user meant it:
+ * it is passed on at the first event of the query. */
 static void put(void *self, const fmb_event *e)
 {
     app_watch *w = self;
