@@ -10,10 +10,10 @@
 /* minors_open.h */
 minors_lister FMB_MINORS_LIST;
 
-/* Of a record, rounded up. */
+/* Numbers of the largest record, rounded up. */
 enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
 
-/* Each kernel once. Of one of each records come with the cuboid first. */
+/* Instantiates each kernel once. For one of each, the record of the cuboid comes first. */
 #define MINORS_ASK(dim, what)                                                                      \
     static FMB_NEVER_CLONED unsigned minors_ask_##dim##what(                                       \
         const minors_asked *x, const lane *a, const lane *b, double *room, minors_said *said)      \
@@ -52,15 +52,15 @@ static minors_asker *const MINORS_ASKERS[FMB_MINORS_WHATS][FMB_MINORS_DIMS] = {
     {minors_ask_44, minors_ask_54, minors_ask_64, NULL, NULL},
     {minors_ask_45, minors_ask_55, NULL, NULL, NULL}};
 
-/* Are both frames of some of these lanes whole numbers of few bits? `size`: behind it stands that.
+/* The lanes whose frames both have integers of few bits; `size`: the place before whole and grain.
  */
 FMB_INLINE unsigned minors_are_whole(const lane *a, const lane *b, int size)
 {
     return lane_bits(lane_less(lane_of(0), lane_min(a[size + 2], b[size + 2])));
 }
 
-/* Of lanes that rows leave open these rows in whole numbers, where these are short: of each
- * lane a single row or, if that is asked, all. *open become the lanes that are short. */
+/* Decide the open rows of open lanes in integers, if these are short: a single row of each lane or,
+ * on request, all. *open becomes the lanes with short integers. */
 static fmb_pair_bits minors_decide_rows(int dim, fmb_minors_what what, bool closed, const lane *a,
                                         const lane *b, double *room, unsigned *open, bool all)
 {
@@ -97,7 +97,7 @@ static fmb_pair_bits minors_decide_rows(int dim, fmb_minors_what what, bool clos
     return bits;
 }
 
-/* What is known of lanes goes to what was. Those that are left. */
+/* Merge new results of open lanes into bits; returns the lanes still open. */
 FMB_INLINE unsigned minors_learn(fmb_pair_bits more, unsigned open, fmb_pair_bits *bits)
 {
     bits->apart |= more.apart & open;
@@ -105,16 +105,16 @@ FMB_INLINE unsigned minors_learn(fmb_pair_bits more, unsigned open, fmb_pair_bit
     return open & ~(more.apart | more.meet);
 }
 
-/* Is a row looked for in whole numbers? Tests of simplices are so many that a vertex of one pair is
- * found sooner, but not those of half of the lanes. */
+/* Are rows tested in integers? For simplices there are so many tests that a vertex of a single pair
+ * is found sooner, but not vertices for half of the lanes. */
 FMB_INLINE bool minors_want_row(fmb_minors_what what, unsigned open, unsigned whole)
 {
     return what == FMB_MINORS_SIMPLICES ? 2 * __builtin_popcount(open) >= FMB_LANES
                                         : what / 2 != 1 && (open & ~whole) != 0;
 }
 
-/* Lanes that rows leave open: one row of each; all rows of what are whole numbers of few bits,
- * which come first where all lanes are that; all other rows; a point. */
+/* Decide lanes that rows leave open, by in turn: one row of each; all rows of lanes with integers
+ * of few bits, first if all lanes have these; all other rows; a point. */
 static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(int dim, fmb_minors_what what, bool closed,
                                                          const lane *a, const lane *b, double *room,
                                                          unsigned open)
@@ -144,7 +144,7 @@ static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(int dim, fmb_minors_wha
     return bits;
 }
 
-/* The first n lanes are pairs, others repeat one of these. */
+/* Answer a block: the first n lanes are pairs, others repeat one of these. */
 static fmb_pair_bits minors_answer(int dim, fmb_minors_what what, bool closed, const lane *a,
                                    const lane *b, double *room, size_t n)
 {

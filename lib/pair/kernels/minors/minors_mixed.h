@@ -3,8 +3,8 @@
  * Here A is the simplex: its rows are the n = D + 1 barycentric coordinates, all times 2 so that
  * those of a point of B are center + sum x_j g_j, |x_j| <= 1, as in minors_kernel.h. Eliminating x
  * is the same, too: k columns S and k + 1 rows R leave the direction y of minors of S in R less r.
- * What A's corners say along it are the numbers 2 y_r, and 0 for the rows that are not in R. With M
- * and m the largest and the least of these y_r and 0, B is beyond A iff
+ * The values of A's corners along it are 2 y_r, and 0 for the rows that are not in R. With M and m
+ * the largest and the least of these y_r and 0, B is beyond A iff
  *
  *     |minor of S, center - (M + m)| > (M - m) + sum over j not in S of |minor of S, j|
  *
@@ -38,7 +38,7 @@ FMB_INLINE minors_span minors_widen(minors_span s, lane x)
     return (minors_span){lane_max(s.most, x), lane_min(s.least, x)};
 }
 
-/* Of a coordinate of a simplex's corners, seen from its origin. */
+/* The span of a coordinate of a simplex's corners, relative to its origin. */
 FMB_INLINE minors_span minors_span_of_corners(minors_kind d, const lane *e)
 {
     minors_span s = minors_no_span();
@@ -48,7 +48,7 @@ FMB_INLINE minors_span minors_span_of_corners(minors_kind d, const lane *e)
     return s;
 }
 
-/* Of the coefficients of a row: those in odd places count with a minus. */
+/* The span of the coefficients of a row, negated in odd places. */
 FMB_INLINE minors_span minors_span_of_row(int k, const minors_rows *rows, int s)
 {
     minors_span even = minors_no_span(), odd = even;

@@ -1,4 +1,4 @@
-/* minors_rows.h: minors of one size, from those with a row and a column less. */
+/* minors_rows.h: minors of one order, expanded into minors with a row and a column less. */
 #ifndef FMB_PAIR_MINORS_ROWS_H
 #define FMB_PAIR_MINORS_ROWS_H
 
@@ -14,8 +14,8 @@ FMB_INLINE lane minors_coordinate(minors_kind d, const lane *inverse, int r, con
     return sum;
 }
 
-/* The last barycentric coordinate of each column, from the others: of the corners of a simplex they
- * sum to 1, of edges and drifts to 0; and the bound on it. */
+/* The last barycentric coordinate of each column, and its bound: for corners of a simplex all
+ * coordinates sum to 1, for edges and drifts to 0. */
 FMB_INLINE void minors_add_last_row(minors_kind d, minors_view *v)
 {
     const int row = minors_stride(d, 1);
@@ -43,7 +43,7 @@ FMB_INLINE lane minors_expand(int k, const lane *factor, const lane *const *from
     return sum;
 }
 
-/* The number of S with the j-th that is not in it. */
+/* The number of the set S plus the j-th element not in S. */
 FMB_INLINE int minors_with(int k, int s, int j)
 {
     return k == 1   ? FMB_MINORS_WITH_1[s][j]
@@ -80,14 +80,14 @@ FMB_INLINE void minors_find_rows(minors_kind d, const minors_view *v, int k, uns
     }
 }
 
-/* What of a level is wanted. */
+/* Which part of a level is needed. */
 typedef enum minors_part {
     MINORS_KEPT,   /* all of it, and its minors for the next level */
     MINORS_LAST,   /* all of it */
     MINORS_DRIFTED /* the rows with the drift, the last column */
 } minors_part;
 
-/* The minors of these rows, or their absolute values if no other is wanted. */
+/* Compute the minors of these rows; only their absolute values, unless part is MINORS_KEPT. */
 FMB_INLINE void minors_make(minors_kind d, const minors_view *v, int k, minors_part part,
                             const minors_rows *rows, lane *to)
 {
@@ -122,7 +122,7 @@ FMB_INLINE void minors_make(minors_kind d, const minors_view *v, int k, minors_p
 #define MINORS_UNROLL_ROWS
 #endif
 
-/* The next set of that size. */
+/* The next set of the same size. */
 FMB_INLINE unsigned minors_next_set(unsigned set)
 {
     unsigned low = set & -set, carry = set + low;

@@ -36,7 +36,7 @@
 
 #include "pair/kernels/minors/minors_rows.h"
 
-/* Signs of minors in words, sets of columns being put in one after the other, in order. */
+/* Signs of minors as bits of words; sets of columns are appended in order. */
 typedef struct minors_signs {
     lane word[4];
     int last[4]; /* the place, in each word, of what was put there last: now it is the highest bit
@@ -122,7 +122,7 @@ FMB_INLINE lane minors_wrong(minors_kind d, int k, const minors_rows *rows,
     return wrong;
 }
 
-/* Of word w, the sets that are tested. */
+/* The sets of word w that are tested. */
 FMB_INLINE uint64_t minors_tested(minors_kind d, int k, minors_part part, int w)
 {
     uint64_t sets = FMB_MINORS_OF_SIZE[k - fmb_minors_count((unsigned)w)];
@@ -155,7 +155,7 @@ FMB_INLINE void minors_test_rows(minors_kind d, const minors_view *v, int k, min
                           lane_of(minors_sign_error(d, k) * 0x1p-53) * rows->g, doubt);
 }
 
-/* The tests of single rows: are all corners beyond a face? */
+/* The tests of single rows: are all corners of B beyond a face of A? */
 FMB_INLINE void minors_corners(minors_kind d, minors_view *v, minors_said *said)
 {
     for (int r = 0; r < minors_count_rows(d); r++) {

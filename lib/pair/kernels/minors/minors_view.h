@@ -34,7 +34,7 @@ FMB_INLINE int minors_count_rows(minors_kind d)
     return d.dim + (d.simplices || d.from_simplex);
 }
 
-/* Of simplices there is a bit of each set of columns: so many words. */
+/* For simplices, the number of words with a bit for each set of columns. */
 FMB_INLINE int minors_words(minors_kind d)
 {
     return d.n > 6 ? 1 << (d.n - 6) : 1;
@@ -68,7 +68,7 @@ FMB_INLINE double minors_center_error(minors_kind d)
     return (d.n + 2) * minors_entry_error(d) + d.n * (d.n + 1) + 4;
 }
 
-/* How many u times the bounds of its rows the error of what a row of k columns says may be. */
+/* The error of the gap of a row of k columns, in units of u times the bounds of its coordinates. */
 FMB_INLINE double minors_error(minors_kind d, int k)
 {
     const double entry = minors_entry_error(d), center = minors_center_error(d), n = d.n;
@@ -81,7 +81,7 @@ FMB_INLINE double minors_error(minors_kind d, int k)
             3 + middle);
 }
 
-/* The same for the minors of k + 1 columns of two simplices. */
+/* Likewise the error of minors of k + 1 columns of two simplices. */
 FMB_INLINE double minors_sign_error(minors_kind d, int k)
 {
     const double entry = 2 * d.dim + (d.moves ? 6 : 4);

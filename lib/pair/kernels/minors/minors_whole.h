@@ -1,23 +1,23 @@
-/* minors_whole.h: cuboids whose numbers are whole, of few bits, decide what errors leave open: that
- * edges are parallel, or that the two touch.
+/* minors_whole.h: for cuboids with integers of few bits, decides cases that errors leave open:
+ * parallel edges, and cuboids that touch.
  *
- * Let all numbers of both frames be multiples of a grain; let w, a whole number times the grain of
- * A's axes, be such that w times the inverse of these is whole (record: minors_kernels.h). With
- * unit = w / grain, a whole number, coordinates times unit are sums of products of whole numbers:
- * entries, the center, and |z_r| <= unit. So where what was computed times unit is off by less than
- * 1/2, rounding finds them. Then all minors are whole, and all gaps: one that is less than 1 is
- * none. Without a positive gap closed cuboids meet, as then no facet of B - A keeps 0 out strictly;
- * rows that are 0 = 0 say nothing, and their gap is 0.
+ * Let all numbers of both frames be multiples of a grain; let w, an integer times the grain of A's
+ * axes, be such that w times the inverse of these has integers only (record: minors_kernels.h).
+ * With unit = w / grain, an integer, coordinates times unit are sums of products of integers:
+ * entries, the center, and |z_r| <= unit. So if the computed numbers times unit have errors of less
+ * than 1/2, rounding makes them exact. Then all minors and gaps are integers: a gap less than 1 is
+ * not positive. Without a positive gap closed cuboids meet, as then no facet of B - A strictly
+ * excludes 0; rows that read 0 = 0 have gap 0 and exclude nothing.
  *
  * The errors of gaps remain those of docs/error-bounds.md, with bounds times unit: less than 1/2,
- * they tell gaps of 0 from those of 1.
+ * they distinguish gaps of 0 from gaps of 1.
  */
 #ifndef FMB_PAIR_MINORS_WHOLE_H
 #define FMB_PAIR_MINORS_WHOLE_H
 
 #include "pair/kernels/minors/minors_mixed.h"
 
-/* |x| < 2^51, to the next whole number. */
+/* x, with |x| < 2^51, rounded to the nearest integer. */
 FMB_INLINE lane minors_nearest(lane x)
 {
     const lane high = lane_of(0x1.8p52);

@@ -5,7 +5,7 @@
 #include "pair/kernels/packed_kernels.h"
 #include "pair/kernels/verdict/verdict_flat.h"
 
-/* Not in the loops: its own loops go by kind. */
+/* Not inlined into the loops over pairs, as it has its own loops over the kind. */
 #define PACKED_APART static __attribute__((noinline))
 
 PACKED_APART fmb_pair_bits packed_ask_any_2d(const fmb_flat_kind *kind, const double *block)

@@ -20,12 +20,12 @@
  * Errors: docs/error-bounds.md, "Cuboids"; bound is its K.
  */
 typedef struct fmb_cuboids {
-    int dim, n; /* how many g_k */
+    int dim, n; /* n: the number of g_k */
     lane size, g[4][3], center[3], bound;
     lane cross[6][3]; /* of g_a, g_b, a < b, at [b (b - 1) / 2 + a] */
 } fmb_cuboids;
 
-/* How many g_k. */
+/* The number of g_k. */
 FMB_INLINE int fmb_cuboids_count(fmb_kind kind)
 {
     return kind.dim + kind.moves;

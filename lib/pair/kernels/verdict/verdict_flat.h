@@ -1,5 +1,5 @@
-/* verdict_flat.h: do two frames with any number of axes meet, in the plane or in space? flat.h says
- * on which normals that is decided.
+/* verdict_flat.h: do two frames with any number of axes meet, in the plane or in space? The normals
+ * that decide it are those of flat.h.
  *
  * On a normal n, A spans the values n x of its points x less its origin, B those of its points
  * (while it moves) less A's origin. The gap is that between the two intervals; negative, it is the
@@ -80,7 +80,7 @@ FMB_INLINE void flat_load_of(int dim, const fmb_flat_kind *k, const double *bloc
     }
 }
 
-/* Called from many kernels, as it is long. */
+/* Not inlined, as it is long and used by many kernels. */
 static FMB_NEVER_CLONED void flat_load_2d(const fmb_flat_kind *k, const double *block, flat_pair *p)
 {
     flat_load_of(2, k, block, p);
@@ -96,7 +96,7 @@ FMB_INLINE void flat_load(int dim, const fmb_flat_kind *k, const double *block, 
     (dim == 2 ? flat_load_2d : flat_load_3d)(k, block, p);
 }
 
-/* What one side spans on the normal n. */
+/* The interval of one side along the normal n. */
 FMB_INLINE flat_span flat_span_of_side(int dim, const fmb_flat_side *s, const lane (*axis)[3],
                                        const lane *n)
 {
@@ -115,9 +115,9 @@ FMB_INLINE flat_span flat_span_of_side(int dim, const fmb_flat_side *s, const la
     return out;
 }
 
-/* Both sides along n, each from its origin; the second one with its drift. */
+/* The intervals of both sides along n, each relative to its origin; the second with its drift. */
 typedef struct flat_spans {
-    lane away; /* from the first origin to the second */
+    lane away; /* the vector between the origins, along n */
     flat_span a, b;
 } flat_spans;
 
