@@ -1,4 +1,4 @@
-/* memory.c: the allocator counts, obeys its limit, and the arena hands out what it promises. */
+/* memory.c: the allocator counts and obeys its limit; the arena does what it promises. */
 #include <criterion/criterion.h>
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* sort.c: sorting in blocks, against qsort, and cut short by a cancel. */
+/* sort.c: sorting in blocks, against qsort, and interrupted by a cancel. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

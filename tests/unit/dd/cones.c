@@ -1,5 +1,5 @@
-/* cones.c: rays and lines of small cones, carried or by dot products, at once or with pauses,
- * against all sets of rows that may make a ray; and of cones whose rays are known. */
+/* cones.c: rays and lines of small cones, slacks carried along or by dot products, at once or with
+ * pauses, against all sets of rows that may define a ray; and cones with known rays. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

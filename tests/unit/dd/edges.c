@@ -1,4 +1,4 @@
-/* edges.c: edges of simple rays, against a look at all pairs: corners of cubes, most of them with
+/* edges.c: edges of simple rays, against tests of all pairs: corners of cubes, most of them with
  * rays between that are not simple. */
 #include <criterion/criterion.h>
 

@@ -1,6 +1,5 @@
-/* threads.c: the normals of facets by several threads are those by one; the rays of a cone are
- * those by one, in the same order; so are their supports, and what is counted, wherever the work
- * pauses. */
+/* threads.c: several threads find the same facet normals as one thread, and the same rays of a cone
+ * in the same order, with the same supports and counts, wherever the work pauses. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

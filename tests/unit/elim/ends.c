@@ -1,5 +1,5 @@
-/* ends.c: the end of an elimination: bounds that touch, limits, and simple numbers between ends.
- * What rules do is in tests/rule. */
+/* ends.c: the end of an elimination: bounds that touch, limits, and simple numbers between bounds.
+ * Rules are tested in tests/unit/rule. */
 #include <criterion/criterion.h>
 
 #include "elim/round/witness.h"

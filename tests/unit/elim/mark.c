@@ -1,5 +1,5 @@
-/* mark.c: an elimination comes back to a mark as it was: whatever rounds, a substitution and a new
- * base did to rows, histories, the box and the state of a rule. */
+/* mark.c: an elimination returns to a mark unchanged: rows, histories, the box and the state of a
+ * rule are restored after rounds, a substitution and a new base. */
 #include <criterion/criterion.h>
 #include <string.h>
 

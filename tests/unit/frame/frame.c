@@ -1,5 +1,4 @@
-/* frame.c: systems from frames: what they say, in whichever coordinates; every verdict is checked.
- */
+/* frame.c: systems from frames, in all choices of coordinates; fmb_check accepts every verdict. */
 #include <criterion/criterion.h>
 #include <limits.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* meet.h: what tests of frames ask. */
+/* meet.h: verdicts for the tests of frames. */
 #ifndef FMB_TEST_MEET_H
 #define FMB_TEST_MEET_H
 

@@ -1,4 +1,4 @@
-/* rational.c: frames in rationals, open ones, flat ones, and any number of dimensions. */
+/* rational.c: frames with rationals, open frames, flat frames, and any number of dimensions. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,5 @@
-/* cloud.h: vectors so small that all hyperplanes through enough of them tell the facets of the cone
- * that they span: by determinants in int64, and by trying.
- */
+/* cloud.h: small vectors, and the facets of the cone that they span by brute force: all hyperplanes
+ * through enough of them, by determinants in int64. */
 #ifndef FMB_TEST_CLOUD_H
 #define FMB_TEST_CLOUD_H
 

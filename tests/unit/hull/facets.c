@@ -1,5 +1,5 @@
-/* facets.c: facets as vectors come, against all hyperplanes through enough of the vectors, and
- * polytopes whose facets are known. */
+/* facets.c: facets while vectors are added, against all hyperplanes through enough of the vectors,
+ * and polytopes with known facets. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

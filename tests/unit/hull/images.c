@@ -1,5 +1,5 @@
-/* images.c: projections by double description, through the front door, against the truth: the same
- * solutions, irredundant, every row with a proof. */
+/* images.c: projections by double description, through the public interface, against the ground
+ * truth: the same solutions, irredundant, every row proved. */
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"

@@ -1,5 +1,5 @@
-/* section.c: rays of cones by support queries of a section, against double description: cones
- * with and without lines, of any rank, with an implied equality, with nothing but 0. */
+/* section.c: rays of cones by support queries of a section, against double description: cones with
+ * and without lines, of any rank, with an implied equality, and the cone {0}. */
 #include <criterion/criterion.h>
 
 #include "fault/hook.h"

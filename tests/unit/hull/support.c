@@ -1,5 +1,5 @@
-/* support.c: support queries by themselves: at any moment rows are proved and points lie inside,
- * and queries in portions end where all at once do. */
+/* support.c: support queries by themselves: at any moment all rows are proved and all points lie
+ * inside, and queries in slices end like those in one go. */
 #include <criterion/criterion.h>
 
 #include "hull/support/support.h"

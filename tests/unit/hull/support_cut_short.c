@@ -1,4 +1,4 @@
-/* support_cut_short.c: whatever ends support queries, all memory is given back. */
+/* support_cut_short.c: whatever ends support queries, all memory is freed. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

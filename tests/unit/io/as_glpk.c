@@ -1,7 +1,6 @@
-/* as_glpk.c: our readers of MPS and LP beside GLPK's: every variable, row and bound of the
- * collected files, and of random ones, is the same as a double; mutated ones never crash either of
- * ours, and are read alike where both read them.
- */
+/* as_glpk.c: our readers of MPS and LP files against GLPK's: every variable, row and bound of the
+ * collected files, and of random ones, is the same as a double; mutated files never crash our
+ * readers, and are read alike if both accept them. */
 #include <criterion/criterion.h>
 #include <dirent.h>
 #include <glpk.h>

@@ -1,6 +1,5 @@
-/* bad.c: the malformed files of tests/bad, each with the place and the words of its complaint; and
- * texts of a megabyte that must not take long, malformed or not.
- */
+/* bad.c: the malformed files of tests/bad, each with the place and the text of its error; and texts
+ * of a megabyte, malformed or not, that must not take long. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* binary_frames.c: pairs of frames in binary: written and read, cut and wrong. */
+/* binary_frames.c: pairs of frames in binary: round trips, truncated and malformed input. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,5 @@
-/* cases.c: the collected .ine and .ieq files have the variables, rows and linearities that
- * answers.json says; the rows of the transcribed cases are .fmb rows.
- */
+/* cases.c: the collected .ine and .ieq files have the variables, rows and linearities of
+ * answers.json; the rows of the transcribed cases are .fmb rows. */
 #include <criterion/criterion.h>
 #include <jansson.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* formats.c: names of formats, guessing, streams, and what each writer refuses. */
+/* formats.c: names of formats, guessing, streams, and the systems that each writer refuses. */
 #include <criterion/criterion.h>
 #include <errno.h>
 #include <stdlib.h>

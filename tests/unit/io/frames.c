@@ -1,4 +1,4 @@
-/* frames.c: pairs of frames from text: what they say, and where they go wrong. */
+/* frames.c: pairs of frames from text: their numbers, and the places of errors. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

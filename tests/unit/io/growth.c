@@ -1,6 +1,6 @@
-/* growth.c: twice the text is about twice the work, for every reader and every way to be long: many
- * lines, one line of many terms, many names, deep nesting, long numbers. Work is counted (steps.h):
- * what is quadratic quadruples. */
+/* growth.c: twice the text takes about twice the work, for every reader and every kind of long
+ * text: many lines, one line of many terms, many names, deep nesting, long numbers. Work is counted
+ * (steps.h): a quadratic reader takes four times as much. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 

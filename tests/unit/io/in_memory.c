@@ -1,5 +1,5 @@
-/* in_memory.c: what is written to memory is what a stream gets, and only where there is room; what
- * is read from memory is what a stream holds. */
+/* in_memory.c: writing to memory gives the same bytes as to a stream, and only if they fit; reading
+ * from memory gives the same as from a stream. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

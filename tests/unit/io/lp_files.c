@@ -1,4 +1,4 @@
-/* lp_files.c: CPLEX LP files: what they say as .fmb text, exactly; what is refused. */
+/* lp_files.c: CPLEX LP files: their exact meaning as .fmb text; refused files. */
 #include <criterion/criterion.h>
 #include <string.h>
 

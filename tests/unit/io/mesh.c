@@ -1,4 +1,4 @@
-/* mesh.c: meshes from texts and bytes: what is read, and what is complained about, where. */
+/* mesh.c: meshes from texts and bytes: the meshes read, the errors and their places. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

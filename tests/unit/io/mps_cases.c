@@ -1,6 +1,5 @@
-/* mps_cases.c: the collected MPS files have the variables and rows that answers.json says. There a
- * fixed column counts as two rows; here it is one equation.
- */
+/* mps_cases.c: the collected MPS files have the variables and rows of answers.json. There a fixed
+ * column counts as two rows; here it is one equation. */
 #include <criterion/criterion.h>
 #include <jansson.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* mps_files.c: MPS files: what they say as .fmb text, exactly; what is refused. */
+/* mps_files.c: MPS files: their exact meaning as .fmb text; refused files. */
 #include <criterion/criterion.h>
 #include <locale.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* number.c: the scanner of numbers against a plainer way to the same value, on random numerals. */
+/* number.c: the scanner of numbers against a simpler one, on random numerals. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* parse.h: reading texts in tests: what they say as .fmb text, or where they go wrong. */
+/* parse.h: reading texts in tests: their meaning as .fmb text, or the place of the error. */
 #ifndef FMB_TEST_PARSE_H
 #define FMB_TEST_PARSE_H
 

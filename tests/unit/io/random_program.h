@@ -1,4 +1,4 @@
-/* random_program.h: linear programs as text, with all that MPS and LP may say. */
+/* random_program.h: random linear programs as text, with all features of MPS and LP. */
 #ifndef FMB_TEST_RANDOM_PROGRAM_H
 #define FMB_TEST_RANDOM_PROGRAM_H
 

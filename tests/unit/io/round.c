@@ -1,6 +1,5 @@
-/* round.c: what is written reads back as the same system: random rows with large and small
- * rationals, all relations, awkward names and labels, marks.
- */
+/* round.c: a written system is read back unchanged: random rows with large and small rationals, all
+ * relations, awkward names and labels, marks. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

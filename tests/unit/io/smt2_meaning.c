@@ -1,5 +1,5 @@
-/* smt2_meaning.c: what SMT-LIB scripts say, as .fmb text: terms, comparisons, connectives, names.
- */
+/* smt2_meaning.c: the meaning of SMT-LIB scripts, as .fmb text: terms, comparisons, connectives,
+ * names. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

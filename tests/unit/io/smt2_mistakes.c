@@ -1,6 +1,5 @@
-/* smt2_mistakes.c: SMT-LIB scripts that cannot be read: beyond conjunctions, beyond linear terms,
- * malformed; where they say so, and that memory that runs out is survived.
- */
+/* smt2_mistakes.c: SMT-LIB scripts that are refused: no conjunction, not linear, malformed; the
+ * place of the error, and failing allocations. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* smt2_reading.c: a script that asks often means at each check what its commands so far mean, and
- * each of them is read a bounded number of times. */
+/* smt2_reading.c: in a script with many checks, each check means the commands so far, and each
+ * command is read a bounded number of times. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

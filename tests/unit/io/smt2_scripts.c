@@ -1,4 +1,4 @@
-/* smt2_scripts.c: scripts that ask more than once: what each check is about. */
+/* smt2_scripts.c: scripts with several checks: the system of each check. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

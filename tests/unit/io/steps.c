@@ -1,4 +1,4 @@
-/* steps.c: see steps.h. The linker hands over what the library calls by its --wrap. */
+/* steps.c: see steps.h. The linker's --wrap redirects the library's calls to this file. */
 #include "steps.h"
 
 #include <gmp.h>

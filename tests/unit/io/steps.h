@@ -1,4 +1,4 @@
-/* steps.h: how much work the library does, counted and not timed.
+/* steps.h: counts of the library's work, instead of times.
  *
  * A program that links steps.c, with the library compiled to call __sanitizer_cov_trace_pc in every
  * basic block and to leave functions of the C library calls, counts those blocks, the bytes that

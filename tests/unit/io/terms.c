@@ -1,4 +1,4 @@
-/* terms.c: rows whose numbers are text: exact, or refused with a word about which number. */
+/* terms.c: rows whose numbers are text: exact, or refused with an error that names the number. */
 #include <criterion/criterion.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* text_rows.c: what the rows and lines of the .fmb format mean. */
+/* text_rows.c: the meaning of the rows and lines of the .fmb format. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

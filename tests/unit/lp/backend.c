@@ -1,6 +1,5 @@
-/* backend.c: what the backend hands out is a basis; what it says of it is proved in rationals here,
- * which must succeed nearly always; and it is the same from where it stood as from the beginning.
- */
+/* backend.c: the backend returns a basis; its claim about it is proved in rationals here, which
+ * must succeed nearly always; and a warm start gives the same answer as a cold one. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

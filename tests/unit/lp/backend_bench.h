@@ -1,5 +1,5 @@
-/* backend_bench.h: a connected system as a program, on a bench of its own, and what a basis of it
- * proves in rationals. */
+/* backend_bench.h: a connected system as a linear program of its own, and what a basis of it proves
+ * in rationals. */
 #ifndef FMB_TEST_BACKEND_BENCH_H
 #define FMB_TEST_BACKEND_BENCH_H
 

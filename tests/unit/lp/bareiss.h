@@ -1,6 +1,5 @@
-/* bareiss.h: elimination without fractions on whole matrices (Bareiss 1968), the truth about sparse
- * ones.
- */
+/* bareiss.h: fraction-free elimination on dense matrices (Bareiss 1968), the ground truth for
+ * sparse ones. */
 #ifndef FMB_TEST_BAREISS_H
 #define FMB_TEST_BAREISS_H
 

@@ -1,5 +1,5 @@
-/* certified.c: answers of oracles (lp/oracle) on random programs, and while rows are added, left
- * out and taken in again: each comes with what proves it, which is formed again from the rows. */
+/* certified.c: answers of oracles (lp/oracle) on random programs, and while rows are added, removed
+ * and restored: each comes with its proof, which is recomputed from the rows. */
 #include <criterion/criterion.h>
 
 #include "lp/oracle/oracle.h"

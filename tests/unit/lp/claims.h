@@ -1,4 +1,4 @@
-/* claims.h: what is told of rows is formed again from the rows, as it falls (irredundant.h). */
+/* claims.h: each claim about a row (irredundant.h) is at once recomputed from the rows. */
 #ifndef FMB_TEST_CLAIMS_H
 #define FMB_TEST_CLAIMS_H
 

@@ -1,6 +1,5 @@
-/* corners.c: what is said of a basis, a vertex or a point of the plane, whatever it is: which rows
- * it violates, whether it is inside, whether it contradicts a row, whether a way leads off for
- * ever; against small integers.
+/* corners.c: claims about any basis, vertex or point of the plane: which rows it violates, whether
+ * it is inside, whether it contradicts a row, whether an edge is unbounded; against small integers.
  */
 #include <criterion/criterion.h>
 

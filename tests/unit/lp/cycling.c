@@ -1,5 +1,5 @@
-/* cycling.c: programs on which the rule of the largest coefficient goes round for ever, were it not
- * for Bland's rule, which takes over when some fifty pivots in a row have moved nothing.
+/* cycling.c: programs on which the rule of the largest coefficient would cycle, were it not for
+ * Bland's rule, which takes over after some fifty degenerate pivots in a row.
  *
  * Sources: Beale 1955, Cycling in the dual simplex algorithm; Kuhn's example in Balinski and Tucker
  * 1969, Duality theory of linear programs: a constructive approach with applications.

@@ -1,5 +1,5 @@
-/* factor.c: exact solutions, by minors and by lifting, against elimination without fractions on the
- * whole matrix and its right side (Bareiss 1968). */
+/* factor.c: exact solutions, by minors and by lifting, against fraction-free elimination on the
+ * dense matrix and its right side (Bareiss 1968). */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

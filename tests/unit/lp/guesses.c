@@ -1,4 +1,4 @@
-/* guesses.c: the simplex method in doubles: what it claims is recomputed from the columns alone. */
+/* guesses.c: the simplex method in doubles: its claims are recomputed from the columns alone. */
 #include <criterion/criterion.h>
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* hulls.c: is a point in a hull? What the search in doubles claims is recomputed from the points
- * alone. And exact combinations, formed again from the rows. */
+/* hulls.c: is a point in a hull? The claims of the search in doubles are recomputed from the points
+ * alone. And exact combinations, recomputed from the rows. */
 #include <criterion/criterion.h>
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* irredundant.c: rows that go, by linear programs: each proof is formed again from the rows, and
- * what is kept breaks a row that all others leave room for. */
+/* irredundant.c: redundant rows by linear programs: each proof is recomputed from the rows, and
+ * each kept row is violated by a point that satisfies all others. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

@@ -1,6 +1,5 @@
-/* long_edges.c: along an edge the last of a chain of columns, each 64 times the one before, goes
- * 10^10 times as fast as the first, which still stops at its bound.
- */
+/* long_edges.c: along an edge of a chain of columns, each 64 times the one before, the last moves
+ * 10^10 times as fast as the first, which must still stop at its bound. */
 #include <criterion/criterion.h>
 
 #include "lp/simplex/simplex_methods.h"

@@ -1,5 +1,5 @@
-/* ray_shooting.c: rows sorted by guesses that are proved, against linear programs, one a row; each
- * proof is formed again from the rows. */
+/* ray_shooting.c: redundant rows by guesses that are proved, against one linear program for each
+ * row; each proof is recomputed from the rows. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

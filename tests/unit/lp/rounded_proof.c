@@ -1,7 +1,5 @@
 /* rounded_proof.c: combinations of rows prove what they imply, and nothing else: all small
- * multipliers, signs, relations and right sides there are, against what the two rows are known to
- * add up to.
- */
+ * multipliers, signs, relations and right sides, against the known sum of the two rows. */
 #include <criterion/criterion.h>
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* scene.h: rows of a system as the engines take them. */
+/* scene.h: the rows of a system in the form that the engines take. */
 #ifndef FMB_TEST_SCENE_H
 #define FMB_TEST_SCENE_H
 

@@ -1,6 +1,6 @@
-/* sorting.c: rows sorted by guesses: the oracle is asked whether there is a solution as soon as a
- * glance finds no point inside, and not where one is known. Many rows, by any number of threads,
- * are what the oracle says, of short numbers and of long ones. */
+/* sorting.c: rows sorted into redundant and others by guesses: the oracle decides feasibility only
+ * if a quick search finds no interior point and none is known. For many rows, of short or long
+ * numbers, any number of threads agrees with the oracle. */
 #include <criterion/criterion.h>
 #include <string.h>
 

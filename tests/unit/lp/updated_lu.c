@@ -1,4 +1,4 @@
-/* updated_lu.c: factors of a sparse basis in doubles: what they solve is multiplied back. */
+/* updated_lu.c: factors of a sparse basis in doubles: each solution is multiplied back. */
 #include <criterion/criterion.h>
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* vertex_bench.h: a program in two variables, and a vertex of it, on a bench of its own. */
+/* vertex_bench.h: a linear program in two variables and one of its vertices. */
 #ifndef FMB_TEST_VERTEX_BENCH_H
 #define FMB_TEST_VERTEX_BENCH_H
 

@@ -1,6 +1,5 @@
-/* cases.c: the collected meshes have the numbers of vertices and cells that answers.json says, and
- * the pairs of cells listed there meet, or do not, as several exact tools agree.
- */
+/* cases.c: the collected meshes have the numbers of vertices and cells of answers.json, and the
+ * pairs of cells listed there meet, or do not, as several exact tools agree. */
 #include <criterion/criterion.h>
 #include <jansson.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
-/* cells.c: how two cells meet is what exact systems say: triangles and tetrahedra on a coarse grid,
- * where touching, common corners, common planes and flat cells abound.
- */
+/* cells.c: how two cells meet, against exact systems: triangles and tetrahedra on a coarse grid,
+ * where touching, common corners, common planes and flat cells abound. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

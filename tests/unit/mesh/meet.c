@@ -1,4 +1,4 @@
-/* meet.c: trees find what all pairs find, in order; places, motions and limits. */
+/* meet.c: trees find the same as tests of all pairs, in order; places, motions and limits. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdatomic.h>

@@ -1,6 +1,5 @@
-/* near.c: cells within a distance, and the distance of two meshes, beside the exact distance of
- * each pair of cells.
- */
+/* near.c: cells within a distance, and the distance of two meshes, against the exact distance of
+ * each pair of cells. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

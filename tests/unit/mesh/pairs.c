@@ -1,4 +1,4 @@
-/* pairs.c: all pairs of cells, whatever their boxes, are what the trees find, at any scale. */
+/* pairs.c: trees find the same as tests of all pairs of cells, for any boxes, at any scale. */
 #include <criterion/criterion.h>
 #include <string.h>
 

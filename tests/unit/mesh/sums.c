@@ -1,4 +1,4 @@
-/* sums.c: meshes whose pairs that meet can be counted by hand. */
+/* sums.c: meshes whose meeting pairs can be counted by hand. */
 #include <criterion/criterion.h>
 
 #include <fmb/mesh.h>

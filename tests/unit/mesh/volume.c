@@ -1,4 +1,4 @@
-/* volume.c: signs of determinants are those that rationals have. */
+/* volume.c: signs of determinants, against rationals. */
 #include <criterion/criterion.h>
 #include <gmp.h>
 #include <math.h>

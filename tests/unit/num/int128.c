@@ -1,6 +1,5 @@
-/* int128.c: num/int128.h and num/word.h against GMP. Built twice: as the library is, and with what
- * stands in where the compiler lacks such numbers, or GMP's longs and limbs are short.
- */
+/* int128.c: num/int128.h and num/word.h against GMP. Built twice: like the library, and with the
+ * replacements for compilers without such numbers, or with short longs and limbs of GMP. */
 #include <criterion/criterion.h>
 
 #include "num/word.h"

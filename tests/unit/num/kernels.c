@@ -1,5 +1,5 @@
-/* kernels.c: every level of instructions gives what counting one by one gives, whatever the number
- * of sets, words and entries, up to the limits of the numbers. */
+/* kernels.c: every instruction set counts as a plain loop does, for any number of sets, words and
+ * entries, up to the limits of the numbers. */
 #include <criterion/criterion.h>
 #include <string.h>
 

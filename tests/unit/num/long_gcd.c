@@ -1,4 +1,4 @@
-/* long_gcd.c: greatest common divisors of long numbers are those of GMP, and can be broken off. */
+/* long_gcd.c: greatest common divisors of long numbers are those of GMP, and can be interrupted. */
 #include "num/gcd.h"
 
 #include <criterion/criterion.h>

@@ -1,6 +1,5 @@
 /* rounding.c: each operation on doubles is rounded once, to 53 bits: the bounds of
- * docs/error-bounds.md hold for nothing else. Built for FMA on x86-64, where the kernels are, too.
- */
+ * docs/error-bounds.md require that. Built with FMA on x86-64, like the kernels. */
 #include <criterion/criterion.h>
 
 static volatile double third = 1.0 / 3, ten = 10, huge = 0x1p60, one = 1;

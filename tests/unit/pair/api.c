@@ -1,4 +1,4 @@
-/* api.c: fmb_pair_test as its header tells it: arguments, arrays, contact, memory. */
+/* api.c: fmb_pair_test as documented in its header: arguments, arrays, contact, memory. */
 #include <criterion/criterion.h>
 #include <limits.h>
 #include <math.h>

@@ -1,6 +1,5 @@
-/* box.c: boxes, times and witnesses of pairs that meet: the kernels of every width, and all of
- * fmb_pair_test, against exact boxes.
- */
+/* box.c: boxes, times and witnesses of meeting pairs: the kernels of every width, and fmb_pair_test
+ * as a whole, against exact boxes. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* box_check.h: boxes, times and witnesses of pairs that meet, against the exact ones. */
+/* box_check.h: compares boxes, times and witnesses of meeting pairs with the exact ones. */
 #ifndef FMB_TEST_BOX_CHECK_H
 #define FMB_TEST_BOX_CHECK_H
 

@@ -1,7 +1,6 @@
-/* certify.c: whatever basis, corner, weight or sign is guessed, what is proved of it is so: frames
- * that touch are never apart, and no corner is the end of a goal but one where the goal is at its
- * end. The truth is by construction, and by all corners there are.
- */
+/* certify.c: whatever basis, corner, weight or sign is guessed, a successful proof is right:
+ * touching frames are never proved apart, and a corner is proved extreme for a goal only if it is.
+ * The truth is known by construction, and from all corners. */
 #include <criterion/criterion.h>
 #include <math.h>
 

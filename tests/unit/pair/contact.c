@@ -1,6 +1,5 @@
-/* contact.c: depths of pairs beside those of <fmb/proximity.h>, never further off
- * than what is said, and along the normal no deeper; and kernels beside each other.
- */
+/* contact.c: depths of pairs against those of <fmb/proximity.h>: within the reported error, and no
+ * larger along the normal; and all kernels against each other. */
 #include <criterion/criterion.h>
 #include <float.h>
 #include <math.h>

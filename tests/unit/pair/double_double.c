@@ -1,7 +1,6 @@
-/* double_double.c: sums, products and quotients of double-doubles beside exact ones: off by at most
- * what docs/error-bounds.md says, and sometimes by more than an eighth of it.
- * (One pair at a time: products by splitting, which round most.)
- */
+/* double_double.c: sums, products and quotients of double-doubles against exact ones: errors within
+ * the bounds of docs/error-bounds.md, and sometimes larger than an eighth of them. (One pair at a
+ * time: products by splitting, which round most.) */
 #include <gmp.h>
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,6 +1,5 @@
-/* flat.c: the kernel for frames with any number of axes, in every width, beside exact answers:
- * never wrong, and hardly ever silent where frames are in no special place.
- */
+/* flat.c: the kernel for frames with any number of axes, in every width, against exact answers:
+ * never wrong, and rarely undecided for frames in general position. */
 #include <criterion/criterion.h>
 #include <math.h>
 

@@ -1,6 +1,5 @@
-/* frames.c: sets of frames: the same answers as frame by frame, for pairs by index, rows, all
- * against all, in every width and by any number of threads.
- */
+/* frames.c: sets of frames: the same answers as for single frames: pairs by index, rows, all
+ * against all, in every width and by any number of threads. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

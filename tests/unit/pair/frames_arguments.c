@@ -1,4 +1,4 @@
-/* frames_arguments.c: sets of frames, and questions about them, that are refused. */
+/* frames_arguments.c: refused sets of frames, and refused questions about them. */
 #include <criterion/criterion.h>
 #include <math.h>
 

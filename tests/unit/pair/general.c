@@ -1,4 +1,4 @@
-/* general.c: the general way, in doubles, beside exact answers: never wrong, rarely silent. */
+/* general.c: the general kernel in doubles, against exact answers: never wrong, rarely silent. */
 #include <criterion/criterion.h>
 #include <math.h>
 

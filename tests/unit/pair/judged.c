@@ -1,6 +1,5 @@
 /* judged.c: contacts as fmb-validate --contact judges them: depths, distances, normals, nearest
- * points and rows between, beside exact ones.
- */
+ * points and separating rows, against exact ones. */
 #include <criterion/criterion.h>
 #include <math.h>
 

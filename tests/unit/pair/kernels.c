@@ -1,6 +1,5 @@
 /* kernels.c: verdicts by elimination, or by separating axes (BY_SAT): every kernel of every width
- * beside exact answers: never wrong, hardly ever silent.
- */
+ * against exact answers: never wrong, rarely undecided. */
 #include <criterion/criterion.h>
 #include <float.h>
 #include <math.h>

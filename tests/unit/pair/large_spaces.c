@@ -1,5 +1,5 @@
 /* large_spaces.c: pairs of frames in thousands of dimensions: limits of time and memory hold, and
- * cancels are heard. */
+ * cancels take effect. */
 #include <criterion/criterion.h>
 #include <signal.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* long_numbers.c: limits and cancels end what is asked of frames whose numbers are as far apart as
- * doubles can be: the reading of the clock that shows the end is the last but for what follows. */
+/* long_numbers.c: limits and cancels end queries about frames whose numbers differ as much as
+ * doubles can: after the clock reading at which the time is up at most two more follow. */
 #include <criterion/criterion.h>
 
 #include "counted_clock.h"

@@ -1,7 +1,6 @@
 /* minors.c: kernels of cuboids, simplices and one of each in four to eight dimensions
- * (pair/kernels/minors) in every width, one pair at a time too: never wrong, and sure of nearly all
- * random pairs; their tables made anew; what records hold.
- */
+ * (pair/kernels/minors) in every width, one pair at a time too: never wrong, and decide nearly all
+ * random pairs; their tables recomputed; contents of records. */
 #include <criterion/criterion.h>
 #include <gmp.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-/* rationals.c: fmb_pair_answer_q, beside the system of the pair and its bounds. */
+/* rationals.c: fmb_pair_answer_q, against the system of the pair and its bounds. */
 #include <criterion/criterion.h>
 
 #include <fmb/gmp.h>

@@ -1,6 +1,5 @@
-/* whole_minors.c: minors as doubles and by their lowest words (pair/kernels/normal.h), and the
- * signs that these tell, against determinants in integers of any length.
- */
+/* whole_minors.c: minors as doubles and by their lowest words (pair/kernels/normal.h), and their
+ * signs, against determinants in integers of any length. */
 #include <criterion/criterion.h>
 #include <gmp.h>
 #include <math.h>

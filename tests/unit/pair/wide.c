@@ -1,4 +1,4 @@
-/* wide.c: integers of a few words beside GMP's: sums of products, of short and of long ones. */
+/* wide.c: integers of a few words against GMP's: sums of products of short and of long numbers. */
 #include <criterion/criterion.h>
 #include <gmp.h>
 

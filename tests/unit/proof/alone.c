@@ -1,4 +1,4 @@
-/* alone.c: `fmb check` as a program of its own, linked without the rooms that solve. */
+/* alone.c: `fmb check` as a program of its own, linked without the rooms of solvers. */
 #include "fmb/commands.h"
 
 int main(int argc, char **argv)

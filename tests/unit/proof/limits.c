@@ -1,5 +1,5 @@
-/* limits.c: limits of who reads and judges proofs, and how work grows with a proof: counted in
- * questions to the patient, not in seconds. */
+/* limits.c: limits on reading and judging proofs, and the growth of the work with the proof:
+ * counted in calls of the `patient` callback, not in seconds. */
 #include <criterion/criterion.h>
 #include <string.h>
 

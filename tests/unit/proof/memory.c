@@ -1,5 +1,5 @@
-/* memory.c: the k-th allocation fails, for every k, in reading and judging evidence: the
- * status is MEMORY, out arguments are untouched, nothing leaks. */
+/* memory.c: the k-th allocation fails, for every k, while evidence is read and judged: the status
+ * is MEMORY, out arguments are untouched, nothing leaks. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 /* mutate.c: no mutation of right evidence is accepted wrongly.
  *
  * Proofs of the solver and of the table in samples.c are changed, a number, a name or a relation at
- * a time, in the evidence or in the system; then fmb_check must say what the naive judge says, and
- * never prove a verdict that the ground truth denies.
+ * a time, in the evidence or in the system; then fmb_check must agree with the naive judge, and
+ * never accept a verdict that the ground truth contradicts.
  */
 #include <criterion/criterion.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* naive.c: every definition of docs/proof-format.md spelled out on dense tables of reduced
- * rationals; see naive.h. Slow, and nothing shared with lib/proof/check.c. */
+ * rationals; see naive.h. Slow, and shares nothing with lib/proof/check.c. */
 #include "naive.h"
 
 #include <stdlib.h>

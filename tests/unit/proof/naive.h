@@ -1,5 +1,5 @@
-/* naive.h: a second judge of evidence, written from docs/proof-format.md alone, to judge the judge.
- */
+/* naive.h: a second checker of evidence, written from docs/proof-format.md alone, to test
+ * fmb_check. */
 #ifndef FMB_TEST_NAIVE_H
 #define FMB_TEST_NAIVE_H
 

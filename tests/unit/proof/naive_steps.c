@@ -1,5 +1,6 @@
-/* naive_steps.c: claims WHOLE that tell an order in which variables go, on tables of rationals; see
- * naive.h. All pairs are made, and those go whose inequalities hold those of another row. */
+/* naive_steps.c: claims WHOLE that give an order of elimination, on tables of rationals; see
+ * naive.h. All pairs are combined, except if the union of their histories contains that of another
+ * row. */
 #include <stdlib.h>
 
 #include "naive.h"

@@ -1,9 +1,8 @@
-/* naive_whole.c: claims WHOLE by what they mean, with no face in sight; see naive.h.
+/* naive_whole.c: claims WHOLE by their definition, without faces; see naive.h.
  *
- * The rows allow a cone over (x, t). It is spanned by the corners if each of its extreme rays has
- * one of them on it; extreme rays are where enough forms vanish to leave a line, so all choices of
- * so many forms are tried. What strict rows leave is asked of all sets of corners that forms cut
- * out.
+ * The rows allow a cone over (x, t). The corners span it if one of them lies on each of its extreme
+ * rays; on an extreme ray the vanishing forms leave only a line, so all sets of that many forms are
+ * tried. The effect of strict rows is tested on all sets of corners that forms cut out.
  */
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
-/* sums.c: signs of sums of integers times rationals (proof/sum.h), which decide what the judge
- * believes, beside sums of rationals by GMP; above all of sums that are 0, or nearly.
+/* sums.c: signs of sums of integers times rationals (proof/sum.h), on which fmb_check rests,
+ * against sums of rationals by GMP; mostly of sums that are 0, or nearly.
  *
  * A program of its own: the build also links it with sum.c after one line has been changed, and
  * expects it to fail then.

@@ -1,4 +1,4 @@
-/* text.c: the text form of evidence: round trips, and where malformed text is refused. */
+/* text.c: the text form of evidence: round trips, and the places of errors. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* by_enumeration.c: distances, depths and common points of random pairs in the plane and in space,
- * as the library has them, against enumeration. usage: by_enumeration PAIRS SEED
+ * from the library, against enumeration. usage: by_enumeration PAIRS SEED
  *
  * Pair k is the same for any number of threads.
  */

@@ -1,5 +1,5 @@
-/* memory.c: the k-th allocation fails, for the first k and many later ones: a status, nothing
- * touched, nothing leaked, and the next call answers. */
+/* memory.c: the k-th allocation fails, for the first k and many later ones: an error status,
+ * outputs untouched, no leak, and the next call succeeds. */
 #include <criterion/criterion.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* normals.c: the least overlap of two frames is the one that whole numbers find by themselves. */
+/* normals.c: the least overlap of two frames, against a search in integers. */
 #include <criterion/criterion.h>
 
 #include "proximity/proximity_private.h"

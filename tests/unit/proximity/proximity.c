@@ -1,5 +1,5 @@
-/* proximity.c: distance, depth and common points of random pairs, by what makes them true: corners
- * of the Minkowski difference, and verdicts on frames that were moved. */
+/* proximity.c: distance, depth and common points of random pairs, by their definitions: corners of
+ * the Minkowski difference, and verdicts on moved frames. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,10 +1,10 @@
 /* scales.c: depths of pairs with numbers of any digits, near 1e170, 1e-250 and so on, against all
- * planes between the two that faces and edges allow.
+ * separating planes that faces and edges define.
  *
- * The depth is the least way out of the difference of the two bodies, which is beyond one of its
- * facets: for a normal n, h(n) / |n|, h(n) being how far the difference reaches along n. Facets are
- * parallel to a face of A or of B, or to an edge of each; other normals tell no less. All of it in
- * rationals.
+ * The depth is the shortest translation out of the Minkowski difference, across one of its facets:
+ * the least h(n) / |n| over the facet normals n, h the support function of the difference. Facets
+ * are parallel to a face of A or of B, or to an edge of each; other normals give no smaller value.
+ * All in rationals.
  */
 #include <criterion/criterion.h>
 #include <math.h>

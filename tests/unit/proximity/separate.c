@@ -1,5 +1,5 @@
-/* separate.c: rows between random pairs that are apart, by a judge who evaluates corners alone; and
- * the same rows spoilt. usage: separate PAIRS SEED
+/* separate.c: separating rows of random disjoint pairs, checked by an evaluation of all corners;
+ * and the same rows with an error. usage: separate PAIRS SEED
  *
  * Verdicts come from the kernels (<fmb/pair.h>): so the rows prove these, too. */
 #include <stdlib.h>

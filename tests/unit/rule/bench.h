@@ -1,5 +1,5 @@
-/* bench.h: an elimination by itself, with rules and steps of one's choice: rows in, rounds, rows
- * out. Rows are {a1, ..., an, b} and primitive. */
+/* bench.h: an elimination by itself, with chosen rules and steps: rows in, rounds, rows out. Rows
+ * are {a1, ..., an, b} and primitive. */
 #ifndef FMB_TEST_BENCH_H
 #define FMB_TEST_BENCH_H
 

@@ -1,5 +1,5 @@
-/* box.c: rows that hold strictly in all of the box go; those that touch it go before the first
- * round. */
+/* box.c: rows that hold strictly in all of the box are dropped; rows that touch it only before the
+ * first round. */
 #include <criterion/criterion.h>
 
 #include "bench.h"

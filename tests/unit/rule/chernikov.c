@@ -1,4 +1,4 @@
-/* chernikov.c: the numbers of Chernikov's rule: supports that are minimal, counted by hand. */
+/* chernikov.c: counts of Chernikov's rule: minimal supports, counted by hand. */
 #include <criterion/criterion.h>
 
 #include "bench.h"

@@ -1,5 +1,5 @@
 /* cuboids.h: pairs of moving cuboids in 3D with small integers, as in the article that the rules
- * were made for; how many rows an elimination of theirs needs. */
+ * were made for; the number of rows that their elimination needs. */
 #ifndef FMB_TEST_CUBOIDS_H
 #define FMB_TEST_CUBOIDS_H
 

@@ -1,4 +1,4 @@
-/* dominated.c: of parallel rows the tightest stays, whatever their size. */
+/* dominated.c: of parallel rows the tightest is kept, whatever their size. */
 #include <criterion/criterion.h>
 
 #include <fmb/gmp.h>

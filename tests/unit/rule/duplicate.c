@@ -1,4 +1,4 @@
-/* duplicate.c: of equal rows one stays, the strict one. */
+/* duplicate.c: of equal rows one is kept, the strict one. */
 #include <criterion/criterion.h>
 
 #include "bench.h"

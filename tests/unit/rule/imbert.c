@@ -1,4 +1,4 @@
-/* imbert.c: the numbers of Imbert's theorems: what each of them decides. */
+/* imbert.c: counts of Imbert's theorems: the rows that each of them decides. */
 #include <criterion/criterion.h>
 
 #include "bench.h"

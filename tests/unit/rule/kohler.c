@@ -1,4 +1,4 @@
-/* kohler.c: the number of Kohler's rule: k + 1. */
+/* kohler.c: the bound of Kohler's rule: k + 1. */
 #include <criterion/criterion.h>
 
 #include "bench.h"

@@ -1,5 +1,5 @@
-/* own_table.c: what the window of <fmb/rule.h> says besides rows: whose turn it is, and numbers as
- * text. */
+/* own_table.c: what <fmb/rule.h> shows to a rule besides rows: its own table, and numbers as text.
+ */
 #include <criterion/criterion.h>
 #include <string.h>
 

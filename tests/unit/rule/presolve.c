@@ -1,5 +1,5 @@
-/* presolve.c: each step left out, each alone, none and all: the same answers, which are those of
- * the ground truth; and every way to re-base. */
+/* presolve.c: without each step, with each step alone, with none and all: the same answers as the
+ * ground truth; and every choice of re-basing. */
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"

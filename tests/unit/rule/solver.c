@@ -1,5 +1,5 @@
-/* solver.c: rules and choosers come in by the solver's door: what is refused, and with what words;
- * limits and failures inside of a callback. */
+/* solver.c: rules and choosers of the user in a solver: refused ones and their error texts; limits
+ * and failures inside a callback. */
 #include <criterion/criterion.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* window.c: what a rule sees through the window, held against what the rows themselves say, on
- * random systems: histories, columns eliminated, ranks, and which pairs are refused. */
+/* window.c: what <fmb/rule.h> shows to a rule, against the rows themselves, on random systems:
+ * histories, eliminated columns, ranks, and refused pairs. */
 #include <criterion/criterion.h>
 #include <string.h>
 
