@@ -1,6 +1,5 @@
 /* naive_steps.c: claims WHOLE that give an order of elimination, on tables of rationals; see
- * naive.h. All pairs are combined, except if the union of their histories contains that of another
- * row. */
+ * naive.h. All pairs are combined unless the union of their histories contains another row's. */
 #include <stdlib.h>
 
 #include "naive.h"

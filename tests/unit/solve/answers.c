@@ -1,5 +1,5 @@
-/* answers.c: the point and the conflict of the last answer, without its evidence: what they say is
- * judged by the rows of the system. */
+/* answers.c: the point and the conflict of the last answer, without its evidence, checked against
+ * the rows of the system. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

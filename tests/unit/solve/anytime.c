@@ -1,5 +1,5 @@
-/* anytime.c: a projection that is cut short begins with what bounds it at once, and more time makes
- * it no larger. */
+/* anytime.c: an interrupted projection gives an outer bound at once, and more time never enlarges
+ * it. */
 #include <criterion/criterion.h>
 
 #include "counted_clock.h"

@@ -1,4 +1,4 @@
-/* arguments.c: wrong arguments of the queries, and evidence that is not there. */
+/* arguments.c: wrong arguments of the queries, and missing evidence. */
 #include <criterion/criterion.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* as_text.c: whatever an answer has in rationals it has as text and as the nearest double, too. */
+/* as_text.c: every rational of an answer is available as text and as the nearest double, too. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

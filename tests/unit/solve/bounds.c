@@ -1,4 +1,4 @@
-/* bounds.c: boxes of method fm: all at once as one by one, for less than half of the rows. */
+/* bounds.c: boxes by method fm: all together equal one by one, with less than half of the rows. */
 #include <criterion/criterion.h>
 #include <stdio.h>
 

@@ -1,5 +1,4 @@
-/* canonical.c: equal sets have equal projections, to the letter, however they were described and
- * whichever way was taken. */
+/* canonical.c: equal sets have identical projections, whatever their description and the method. */
 #include <stdlib.h>
 #include <string.h>
 

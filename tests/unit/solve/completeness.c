@@ -1,5 +1,5 @@
-/* completeness.c: projections that are proved whole, and changes of proof or projection, which must
- * be found out. */
+/* completeness.c: projections proved complete, and changes of proof or projection, which must be
+ * detected. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 

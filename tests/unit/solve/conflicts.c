@@ -1,4 +1,4 @@
-/* conflicts.c: the multipliers of a conflict are coprime integers, whoever found it. */
+/* conflicts.c: the multipliers of a conflict are coprime integers, whichever engine found it. */
 #include <criterion/criterion.h>
 
 #include "property/random/options.h"

@@ -1,4 +1,4 @@
-/* degenerate.c: systems with nothing in them. */
+/* degenerate.c: systems without rows or variables, of constant rows, of equalities only. */
 #include <criterion/criterion.h>
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* doubles.c: doubles in mean their exact binary values, doubles out are rounded outward. */
+/* doubles.c: input doubles mean their exact binary values, output doubles are rounded outward. */
 #include <criterion/criterion.h>
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,5 @@
-/* doubt.c: projections of small systems, of which many have no solution, or no row that stays.
- * Without evidence that is found on the stack; with evidence it is proved. */
+/* doubt.c: projections of small systems, many of them infeasible or without rows. Without evidence
+ * they are found by the elimination on the stack; with evidence they are proved. */
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"

@@ -1,5 +1,5 @@
-/* ends.c: ends of variables by propagation: of equal ends a strict one counts, and an end is strict
- * for the strict ends of the other variables, not for that of its own. */
+/* ends.c: bounds of variables by propagation: of equal bounds the strict one counts, and a derived
+ * bound is strict by strict bounds of other variables, not of its own. */
 #include <criterion/criterion.h>
 
 #include "elim/round/elim.h"

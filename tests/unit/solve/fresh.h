@@ -1,4 +1,4 @@
-/* fresh.h: the system that a solver has loaded, asked about by it and by a fresh solver. */
+/* fresh.h: queries about a solver's loaded system, answered by this solver and by a fresh one. */
 #ifndef FMB_TEST_FRESH_H
 #define FMB_TEST_FRESH_H
 

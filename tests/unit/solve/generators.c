@@ -1,4 +1,4 @@
-/* generators.c: vertices, rays and lines of systems, and hulls of those: there and back again. */
+/* generators.c: vertices, rays and lines of systems, and their hulls: round trips. */
 #include <criterion/criterion.h>
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* given_symmetries.c: symmetries that are given: the same answers and proofs as without; what is
- * none is refused; and rows of projections by classes. */
+/* given_symmetries.c: given symmetries: the same answers and proofs as without; maps that are no
+ * symmetry are refused; and rows of projections by classes. */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* lift_faults.c: images, sums and hulls without memory, at limits, and interrupted; and what else
- * can go wrong: maps that are none. */
+/* lift_faults.c: images, sums and hulls without memory, at limits, and interrupted; and invalid
+ * maps. */
 #include <criterion/criterion.h>
 
 #include <string.h>

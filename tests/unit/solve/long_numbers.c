@@ -1,7 +1,5 @@
-/* long_numbers.c: verdicts on linear programs, which are had without an exact solution where that
- * is possible (lp/oracle/lattice_point.c, refute.c), against answers whose evidence fmb_check
- * accepts.
- */
+/* long_numbers.c: verdicts on linear programs, found without an exact solution where possible
+ * (lp/oracle/lattice_point.c, refute.c), against answers whose evidence fmb_check accepts. */
 #include <criterion/criterion.h>
 
 #include <string.h>

@@ -1,5 +1,5 @@
-/* optima.c: the best value of a linear form: known ones, wrong arguments, and what becomes
- * of the objective of a system. Random ones are in tests/property/random. */
+/* optima.c: the optimum of a linear form: known optima, wrong arguments, and the use of a system's
+ * own objective. Random ones are in tests/property/random. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

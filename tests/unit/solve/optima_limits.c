@@ -1,5 +1,5 @@
-/* optima_limits.c: the best value of a linear form when a limit ends the query: what is told is
- * proved, and the longer it takes, the better it is. */
+/* optima_limits.c: the optimum of a linear form when a limit ends the query: the returned bounds
+ * are proved, and improve with the limit. */
 #include <criterion/criterion.h>
 
 #include <fmb/fmb.h>

@@ -1,4 +1,4 @@
-/* outer.c: what a query that a limit has cut short hands out is proved, whenever that happens. */
+/* outer.c: the results of a query that a limit interrupts are proved, whenever this happens. */
 #include <criterion/criterion.h>
 
 #include "canceller.h"

@@ -1,5 +1,5 @@
 /* polygon.c: projections on one or two variables against elimination, and against linear programs
- * in every direction that shows a corner. */
+ * in a direction for every vertex. */
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"

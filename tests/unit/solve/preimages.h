@@ -1,5 +1,5 @@
-/* preimages.h: the verbs of fmb/lift.h for tests: what they hand out is checked before it is given.
- */
+/* preimages.h: the functions of fmb/lift.h for tests: their results are checked before they are
+ * returned. */
 #ifndef FMB_TEST_PREIMAGES_H
 #define FMB_TEST_PREIMAGES_H
 

@@ -1,6 +1,5 @@
-/* race.c: of two lanes at once the one that needs less work wins, whichever thread is faster; and
- * projections that are raced for are those of one thread, proved.
- */
+/* race.c: of two concurrent lanes the one that needs less work wins, whichever thread is faster;
+ * and projections by a race equal those of one thread, and are proved. */
 #include <criterion/criterion.h>
 #include <limits.h>
 #include <sched.h>

@@ -1,4 +1,4 @@
-/* recession.c: projections where the variables that go can go on for ever, against elimination. */
+/* recession.c: projections with unbounded eliminated variables, against elimination. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

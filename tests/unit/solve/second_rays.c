@@ -1,6 +1,5 @@
-/* second_rays.c: where rays seem to be few, they go on to the end before the oracle is asked; where
- * they seem to be many, others end before them.
- */
+/* second_rays.c: if the estimate of rays is small, double description runs to its end before
+ * support queries are tried; if it is large, another engine ends first. */
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"

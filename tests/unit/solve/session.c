@@ -1,5 +1,5 @@
-/* session.c: systems that change (<fmb/session.h>), held against fresh solvers that know nothing of
- * what was before; every answer is proved. */
+/* session.c: systems that change (<fmb/session.h>), against fresh solvers without any history;
+ * every answer is proved. */
 #include <criterion/criterion.h>
 #include <string.h>
 

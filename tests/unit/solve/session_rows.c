@@ -1,5 +1,5 @@
-/* session_rows.c: handles and labels of rows, and variables, of systems that change, held against a
- * list of our own that is changed with them, and against fresh solvers. */
+/* session_rows.c: handles and labels of rows, and variables, of systems that change, against a list
+ * that undergoes the same changes, and against fresh solvers. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* session_uses.c: what systems that change are for: cuts and dives; and what may go wrong with
- * them: arguments, memory, limits. */
+/* session_uses.c: applications of systems that change: cuts and dives; and their faults: arguments,
+ * memory, limits. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* sizes.c: structures of programs that were compiled with another version (<fmb/base.h>): shorter
- * ones work, longer ones where what is beyond is 0, others are refused in words. */
+ * ones work, longer ones if the unknown rest is 0; others are refused with a text. */
 #include <criterion/criterion.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
-/* slices.c: engines that go on where they stopped: whose turn it is, and that stops and goes change
- * nothing.
- */
+/* slices.c: engines that resume where they stopped: whose turn it is, and that pauses do not change
+ * results. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* substituted_rows.c: rows among equalities, sorted by what is left once these are substituted: the
- * oracle says the same of all of them. */
+/* substituted_rows.c: redundant rows among equalities, found after the equalities are substituted:
+ * the oracle agrees on all of them. */
 #include <criterion/criterion.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* support.c: projections by support queries against the ground truth, on systems whose shadows are
- * flat, unbounded, without vertices, of many rows through one point, of wide numbers. */
+/* support.c: projections by support queries against the ground truth, on systems whose projections
+ * are flat, unbounded or without vertices, have many rows through one point, or wide numbers. */
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"

@@ -1,5 +1,5 @@
-/* symmetry.c: projections of systems that have symmetries are the same whether these are used or
- * not, with proofs that know nothing of them. */
+/* symmetry.c: projections of symmetric systems are the same whether the symmetries are used or not,
+ * with proofs that do not depend on them. */
 #include <criterion/criterion.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* threads.c: the ends of a box, the rows that stay, and those of a projection, by several threads
- * are those by one, and proved; under limits too. So are vertices and hulls, in the same order. */
+/* threads.c: several threads find the same ends of a box, irredundant rows and rows of a projection
+ * as one, and proofs; under limits too; and vertices and hulls in the same order. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdio.h>

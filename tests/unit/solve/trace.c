@@ -1,4 +1,4 @@
-/* trace.c: events of a query come in order and make sense; so do the statistics. */
+/* trace.c: events of a query come in order and are consistent, and so are the statistics. */
 #include <criterion/criterion.h>
 #include <string.h>
 

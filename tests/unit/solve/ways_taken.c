@@ -1,6 +1,5 @@
-/* ways_taken.c: which ways of a projection are tried first, and which are next, for a problem of
- * each family: as written down in ways_taken.txt. FMB_WRITE=FILE writes that file anew.
- */
+/* ways_taken.c: which ways of a projection are tried first, and which next, for a problem of each
+ * family, as recorded in ways_taken.txt. FMB_WRITE=FILE writes a new record. */
 #include <criterion/criterion.h>
 #include <inttypes.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-/* badly_named.c: a rule library whose rule has the name of one that is built in. */
+/* badly_named.c: a rule library whose rule has the name of a built-in one. */
 #include <fmb/rule.h>
 
 static const fmb_rule kohler = {.name = "kohler", .source = "none"};

@@ -1,4 +1,4 @@
-/* certificate.c: what proves where two frames meet is accepted; whatever does not is refused. */
+/* certificate.c: valid certificates of where two frames meet are accepted, others refused. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

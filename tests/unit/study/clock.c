@@ -1,4 +1,4 @@
-/* The clock of studies: who is asked what, in which order, and what is made of the times. */
+/* The clock of studies: which way answers which queries, in which order, and its statistics. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

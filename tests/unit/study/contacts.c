@@ -1,5 +1,5 @@
-/* contacts.c: the judge of depths and distances in four to eight dimensions accepts what is true,
- * and refuses what is not. */
+/* contacts.c: the judge of depths and distances in four to eight dimensions accepts true answers,
+ * and refuses false ones. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* engines.c: block elimination and Balas' projection against fmb_project, on random systems of
- * every family; numbers to check. FMB_ENGINE_SYSTEMS: how many seeds of each family. */
+ * every family; known counts. FMB_ENGINE_SYSTEMS: the number of seeds of each family. */
 #include <criterion/criterion.h>
 #include <string.h>
 

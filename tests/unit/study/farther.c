@@ -1,4 +1,4 @@
-/* farther.c: what doubles tell of normals in the judge of depths is so in whole numbers. */
+/* farther.c: what the judge of depths concludes about normals in doubles holds in integers. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 

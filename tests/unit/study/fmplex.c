@@ -1,5 +1,5 @@
-/* fmplex.c: FMplex against the ground truth; every point and every multiplier is put into the rows
- * of the user here, in rationals, by code of its own. */
+/* fmplex.c: FMplex against the ground truth; every point and every multiplier is checked here on
+ * the rows of the user, in rationals, by independent code. */
 #include <criterion/criterion.h>
 
 #include "counted_clock.h"

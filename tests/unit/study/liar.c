@@ -1,5 +1,5 @@
-/* liar.c: a rule library with a rule that is wrong, as it drops all rows of every round, and an
- * order that is, as it names a column that is not on offer. */
+/* liar.c: a rule library with a wrong rule, which drops all rows of every round, and a wrong order,
+ * which returns a column that was not offered. */
 #include <fmb/rule.h>
 
 static fmb_status drop_all(void *state, const fmb_view *w, bool *drop)

@@ -1,4 +1,4 @@
-/* pairs.c: random pairs of frames: each from its number alone, and as hard as its family says. */
+/* pairs.c: random pairs of frames: each from its number alone, as hard as its family says. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* program.c: families of linear programs: what was planted is true, and the same seed draws the
+/* program.c: families of linear programs: the planted answers are true, and the same seed draws the
  * same program. */
 #include <criterion/criterion.h>
 

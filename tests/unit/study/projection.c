@@ -1,5 +1,5 @@
-/* projection.c: families of projections: a seed is a problem, something stays and something goes,
- * and there is something to project but where that was planned. */
+/* projection.c: families of projections: a seed determines the problem, some variables are kept and
+ * some are not, and most problems are feasible, except in the family "none". */
 #include <criterion/criterion.h>
 
 #include <stdlib.h>

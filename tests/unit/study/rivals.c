@@ -1,5 +1,5 @@
-/* rivals.c: the algorithms that studies measure beside the library: right where they ought to be,
- * and with the faults that are known of them. */
+/* rivals.c: the algorithms that studies measure beside the library: right where they should be, and
+ * with their known faults. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

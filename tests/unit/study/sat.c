@@ -1,4 +1,4 @@
-/* Separating axes in packed lanes say of sets of frames what elimination says. */
+/* Separating axes in packed lanes agree with elimination on sets of frames. */
 #include <criterion/criterion.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* The article's separating axes, beside exact answers. */
+/* The article's separating axes, against exact answers. */
 #include <criterion/criterion.h>
 
 #include "study/draw/pairs.h"

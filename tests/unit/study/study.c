@@ -1,5 +1,5 @@
-/* study.c: the room of studies: draws that can be repeated, wrong answers that are found,
- * statistics that can be done by hand. */
+/* study.c: the room of studies: reproducible draws, wrong answers that are detected, statistics
+ * checked by hand. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>

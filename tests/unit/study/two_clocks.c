@@ -1,6 +1,6 @@
-/* two_clocks.c: loaded before a program, clocks that count how often they are asked. At each
- * reading that of the program's processor time is a second later, and the monotonic one as many
- * seconds as the environment's WALL_STEP says. */
+/* two_clocks.c: preloaded into a program, clocks that count their readings. At each reading the
+ * clock of the program's processor time advances by one second, the monotonic clock by WALL_STEP
+ * seconds, an environment variable. */
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <sys/syscall.h>

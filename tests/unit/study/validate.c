@@ -1,4 +1,4 @@
-/* validate.c: the judge of pairs finds false answers; shares of a validation add up. */
+/* validate.c: the judge of pairs detects false answers; shares of a validation merge into one. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

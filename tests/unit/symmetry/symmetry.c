@@ -1,5 +1,5 @@
-/* symmetry.c: symmetries planted in random programs are found, all that is found is one, and orbits
- * are those of the group by definition. */
+/* symmetry.c: symmetries planted in random programs are found, every map found is a symmetry, and
+ * orbits are those of the group by definition. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* matrix.c: rows in by terms and by matrices, of doubles and integers, and out again: they say the
- * same as rows of rationals, and nothing is appended on failure. */
+/* matrix.c: rows added by terms and by matrices, of doubles and integers, and read back: they equal
+ * rows of rationals, and nothing is appended on failure. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* objective.c: the linear form of a system goes in and comes out unchanged, and follows copies. */
+/* objective.c: the objective of a system is read back unchanged, and copied with the system. */
 #include <criterion/criterion.h>
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* systems.c: rows go in and come out unchanged; names are found; copies are apart. */
+/* systems.c: rows are read back unchanged; names are found; copies are independent. */
 #include <criterion/criterion.h>
 
 #include <math.h>

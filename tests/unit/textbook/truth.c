@@ -1,4 +1,4 @@
-/* truth.c: the ground truth against answers that were planted, or worked out by hand. */
+/* truth.c: the ground truth against planted answers, and answers computed by hand. */
 #include <criterion/criterion.h>
 #include <stdlib.h>
 
