@@ -42,21 +42,15 @@ typedef struct fmb_support_near {
     size_t slots, capacity;
 } fmb_support_near;
 
-/* A worker that makes support queries. */
-typedef struct fmb_support_worker {
-    fmb_run *run;
-    fmb_oracle *oracle;
-    fmb_support_point seen; /* the last answer */
-    fmb_support_near near;  /* the generator found last, in the query's own memory */
-    mpz_t t;                /* scratch */
-} fmb_support_worker;
-
 typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
 typedef struct fmb_known fmb_known;       /* rows of the program (support_known.c) */
 
 typedef struct fmb_support {
     fmb_run *run;
-    fmb_support_worker worker;
+    fmb_oracle *oracle;
+    fmb_support_point seen; /* the last answer */
+    fmb_support_near near;  /* the generator found last */
+    mpz_t t;                /* scratch */
     fmb_symmetry *symmetry; /* of the program, or NULL */
     size_t n, k;            /* columns; kept columns, */
     const int *kept;        /* [k], increasing */

@@ -7,9 +7,15 @@
 fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
                             const int *kept, size_t k, bool strict, bool proves)
 {
-    *s =
-        (fmb_support){.run = run, .n = n, .k = k, .kept = kept, .strict = strict, .proves = proves};
-    FMB_TRY(fmb_support_worker_init(&s->worker, run, oracle, n));
+    *s = (fmb_support){.run = run,
+                       .oracle = oracle,
+                       .n = n,
+                       .k = k,
+                       .kept = kept,
+                       .strict = strict,
+                       .proves = proves};
+    mpz_inits(s->t, s->seen.den, NULL);
+    FMB_TRY(fmb_integers_init(&s->seen.x, n, run->mem));
     FMB_TRY(fmb_integers_init(&s->g, k + 1, run->mem));
     return fmb_facets_init(&s->hull, run, k + 1);
 }
@@ -17,7 +23,9 @@ fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, si
 void fmb_support_clear(fmb_support *s)
 {
     fmb_mem *mem = s->run->mem;
-    fmb_support_worker_clear(&s->worker, s);
+    fmb_mem_put(mem, s->near.slot, s->near.capacity, sizeof *s->near.slot);
+    fmb_integers_clear(&s->seen.x, mem);
+    mpz_clears(s->t, s->seen.den, NULL);
     fmb_support_forget_symmetry(s);
     fmb_support_forget_rows(s);
     fmb_support_forget_outer_rows(s);
@@ -38,11 +46,11 @@ static fmb_status find_first_point(fmb_support *s)
 {
     const fmb_weights nowhere = {0};
     fmb_oracle_end end;
-    fmb_status st = fmb_oracle_approach(s->worker.oracle, &nowhere, &end);
+    fmb_status st = fmb_oracle_approach(s->oracle, &nowhere, &end);
     s->begun = true;
     if (st == FMB_OK)
-        fmb_oracle_point_integers(s->worker.oracle, s->worker.seen.x.z, s->worker.seen.den);
-    return st == FMB_OK ? fmb_support_take(s, &s->worker, &s->worker.seen, 0) : st;
+        fmb_oracle_point_integers(s->oracle, s->seen.x.z, s->seen.den);
+    return st == FMB_OK ? fmb_support_take(s, 0) : st;
 }
 
 /* Does the projection extend beyond an equation of all generators, on either side? */
@@ -68,13 +76,12 @@ static fmb_status ask_about_equation(fmb_support *s)
 static fmb_status take_and_look_along(fmb_support *s, size_t at)
 {
     fmb_mem *mem = s->run->mem;
-    fmb_support_worker *c = &s->worker;
     if (!fmb_support_is_hull_coarse(s))
-        return fmb_support_take(s, c, &c->seen, at);
+        return fmb_support_take(s, at);
     fmb_vec h = {.s = fmb_mem_zero(mem, s->k + 1, sizeof *h.s)};
     fmb_status st =
         h.s ? fmb_vec_copy(&h, &s->hull.facet[at].normal, s->k + 1, mem) : fmb_mem_status(mem);
-    FMB_THEN(st, fmb_support_take(s, c, &c->seen, at));
+    FMB_THEN(st, fmb_support_take(s, at));
     FMB_THEN(st, fmb_support_look_along(s, &h));
     fmb_vec_clear(&h, s->k + 1, mem);
     fmb_mem_put(mem, h.s, s->k + 1, sizeof *h.s);
@@ -86,14 +93,13 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
 {
     fmb_support_row row = {0};
     fmb_support_answer answer;
-    fmb_support_worker *c = &s->worker;
     bool known = false;
     fmb_status st = fmb_facets_need_normal(&s->hull, at);
     FMB_THEN(st, fmb_support_recall(s, at, &known));
     if (st != FMB_OK || known)
         return st;
     const fmb_facet *a = &s->hull.facet[at];
-    st = fmb_support_worker_settle(c, s, a, &row, &answer);
+    st = fmb_support_settle(s, a, &row, &answer);
     if (st == FMB_OK && answer == FMB_SUPPORT_ROW) {
         st = fmb_support_keep_facet(s, at, &row);
         return st == FMB_OK ? fmb_support_note_images(s, &a->normal) : st;
@@ -108,7 +114,7 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
 
 static fmb_status ask_about_next_facet(fmb_support *s, bool *done)
 {
-    size_t at = fmb_support_find_open_facet(s, &s->worker.near);
+    size_t at = fmb_support_find_open_facet(s, &s->near);
     *done = at == SIZE_MAX;
     return *done ? FMB_OK : ask_about_facet(s, at);
 }

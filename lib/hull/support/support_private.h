@@ -13,33 +13,22 @@ enum {
 
 /* The result of a query about a facet. */
 typedef enum fmb_support_answer {
-    FMB_SUPPORT_BEYOND = 0, /* the worker saw a point or ray beyond */
+    FMB_SUPPORT_BEYOND = 0, /* a point or ray beyond was seen */
     FMB_SUPPORT_ROW,        /* it stands, and its row was written */
     FMB_SUPPORT_NO_ROW      /* it stands, with no row, or a known one */
 } fmb_support_answer;
 
 /* ---- support_query.c ------------------------------------------------------------------------- */
 
-fmb_status fmb_support_point_init(fmb_support_point *x, size_t n, fmb_mem *mem);
-void fmb_support_point_clear(fmb_support_point *x, fmb_mem *mem);
-/* The oracle must outlive the worker. The caller must call fmb_support_worker_clear even after an
- * error. Errors: MEMORY, LIMIT. */
-fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
-                                   size_t n);
-void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s);
+/* Does the projection satisfy the facet, whose normal is known? By the cheapest test that decides.
+ */
+fmb_status fmb_support_settle(fmb_support *s, const fmb_facet *a, fmb_support_row *row,
+                              fmb_support_answer *answer);
+/* Add s->seen, perhaps beyond facet `at`, to the hull. */
+fmb_status fmb_support_take(fmb_support *s, size_t at);
 /* Does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], as all generators do? If so,
- * *stands, and row is written in the worker's memory, with its proof (for an equality, the one of
- * the reverse if sign is -1). Otherwise c->seen is a point or ray beyond. */
-fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
-                                   int sign, fmb_support_row *row, bool *stands);
-/* The same for a facet whose normal is known, by the cheapest test that decides. */
-fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
-                                     const fmb_facet *a, fmb_support_row *row,
-                                     fmb_support_answer *answer);
-/* Add a worker's answer, perhaps beyond facet `at`, to the hull; its oracle is there now. */
-fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_support_point *seen,
-                            size_t at);
-/* Make a query with the own worker, and add its answer to the hull. */
+ * *stands, and row is written, with its proof (for an equality, the one of the reverse if sign is
+ * -1). Otherwise s->seen, a point or ray beyond, is added to the hull. */
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands);
 
@@ -49,13 +38,12 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
  * that these rows are, too. */
 bool fmb_support_is_hull_coarse(const fmb_support *s);
 /* An open facet; SIZE_MAX if there is none. Preferably one at the generator of `near`, where the
- * worker's oracle is, so that its way to the optimum is short; otherwise roughly the youngest. */
+ * oracle is, so that its way to the optimum is short; otherwise roughly the youngest. */
 size_t fmb_support_find_open_facet(fmb_support *s, const fmb_support_near *near);
 
 /* ---- support_symmetry.c ---------------------------------------------------------------------- */
 
 /* Errors: MEMORY, LIMIT, here and below. */
-bool fmb_support_is_symmetric(const fmb_support *s);
 void fmb_support_forget_symmetry(fmb_support *s);
 /* After the hull got a new generator: add the images of that. */
 fmb_status fmb_support_take_images(fmb_support *s);

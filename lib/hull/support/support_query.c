@@ -8,7 +8,7 @@
 
 /* ---- generators ------------------------------------------------------------------------------ */
 
-static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen)
+static fmb_status note_inner_point(fmb_support *s)
 {
     fmb_mem *mem = s->run->mem;
     if (!s->proves)
@@ -18,15 +18,16 @@ static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen
     FMB_TRY(fmb_integers_init(x, s->n + 1, mem));
     s->points++;
     for (size_t j = 0; j < s->n; j++)
-        mpz_set(x->z[j], seen->x.z[j]);
-    mpz_set(x->z[s->n], seen->den);
+        mpz_set(x->z[j], s->seen.x.z[j]);
+    mpz_set(x->z[s->n], s->seen.den);
     return fmb_integers_settle(x, mem);
 }
 
 /* Note the last generator of the hull, and the facets that it made or touched.
  */
-static fmb_status note_near(fmb_support *s, fmb_support_near *near)
+static fmb_status note_near(fmb_support *s)
 {
+    fmb_support_near *near = &s->near;
     const fmb_facets *f = &s->hull;
     FMB_TRY(FMB_RESERVE(s->run->mem, &near->slot, &near->capacity, f->mades + f->toucheds));
     near->generator = f->generators - 1;
@@ -36,49 +37,21 @@ static fmb_status note_near(fmb_support *s, fmb_support_near *near)
     return FMB_OK;
 }
 
-fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_support_point *seen,
-                            size_t at)
+fmb_status fmb_support_take(fmb_support *s, size_t at)
 {
     bool grown;
-    mpz_set(s->g.z[0], seen->den);
+    mpz_set(s->g.z[0], s->seen.den);
     for (size_t j = 0; j < s->k; j++)
-        mpz_set(s->g.z[j + 1], seen->x.z[s->kept[j]]);
+        mpz_set(s->g.z[j + 1], s->seen.x.z[s->kept[j]]);
     FMB_TRY(fmb_facets_add_near(&s->hull, at, s->g.z, &grown));
     if (!grown)
         return FMB_OK;
-    FMB_TRY(note_near(s, &c->near));
-    FMB_TRY(note_inner_point(s, seen));
+    FMB_TRY(note_near(s));
+    FMB_TRY(note_inner_point(s));
     return fmb_support_take_images(s);
 }
 
-/* ---- workers --------------------------------------------------------------------------------- */
-
-fmb_status fmb_support_point_init(fmb_support_point *x, size_t n, fmb_mem *mem)
-{
-    mpz_init(x->den);
-    return fmb_integers_init(&x->x, n, mem);
-}
-
-void fmb_support_point_clear(fmb_support_point *x, fmb_mem *mem)
-{
-    fmb_integers_clear(&x->x, mem);
-    mpz_clear(x->den);
-}
-
-fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
-                                   size_t n)
-{
-    *c = (fmb_support_worker){.run = run, .oracle = oracle};
-    mpz_init(c->t);
-    return fmb_support_point_init(&c->seen, n, run->mem);
-}
-
-void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s)
-{
-    fmb_mem_put(s->run->mem, c->near.slot, c->near.capacity, sizeof *c->near.slot);
-    fmb_support_point_clear(&c->seen, c->run->mem);
-    mpz_clear(c->t);
-}
+/* ---- a query --------------------------------------------------------------------------------- */
 
 /* The form that a query maximizes: - sign (h1 x1 + ...). */
 static fmb_status write_cost(const fmb_support *s, const fmb_vec *h, int sign, fmb_weights *cost,
@@ -99,59 +72,59 @@ static fmb_status write_cost(const fmb_support *s, const fmb_vec *h, int sign, f
 }
 
 /* Is the oracle's current point beyond h? */
-static bool is_point_beyond(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h, int sign)
+static bool is_point_beyond(fmb_support *s, const fmb_vec *h, int sign)
 {
-    fmb_oracle_point_integers(c->oracle, c->seen.x.z, c->seen.den);
-    fmb_vec_get(h, 0, c->t);
-    mpz_mul(c->seen.den, c->seen.den, c->t);
+    fmb_oracle_point_integers(s->oracle, s->seen.x.z, s->seen.den);
+    fmb_vec_get(h, 0, s->t);
+    mpz_mul(s->seen.den, s->seen.den, s->t);
     for (size_t j = 0; j < s->k; j++) {
-        fmb_vec_get(h, j + 1, c->t);
-        mpz_addmul(c->seen.den, c->seen.x.z[s->kept[j]], c->t);
+        fmb_vec_get(h, j + 1, s->t);
+        mpz_addmul(s->seen.den, s->seen.x.z[s->kept[j]], s->t);
     }
-    return mpz_sgn(c->seen.den) * sign < 0;
+    return mpz_sgn(s->seen.den) * sign < 0;
 }
 
 /* The point is the optimum, and not beyond h: write the proved row. */
-static fmb_status prove_row(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h, int sign,
-                            fmb_support_row *row)
+static fmb_status prove_row(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row)
 {
     bool attained = true;
-    FMB_TRY(row->rel == FMB_EQ ? FMB_OK : fmb_oracle_attain(c->oracle, &attained));
+    FMB_TRY(row->rel == FMB_EQ ? FMB_OK : fmb_oracle_attain(s->oracle, &attained));
     if (sign > 0)
-        FMB_TRY(fmb_support_write_row(s, h, row, c->run->mem));
+        FMB_TRY(fmb_support_write_row(s, h, row, s->run->mem));
     if (!attained)
         row->rel = FMB_LT;
     if (s->proves)
-        FMB_TRY(fmb_oracle_multipliers(c->oracle, sign > 0 ? &row->proof : &row->reverse));
+        FMB_TRY(fmb_oracle_multipliers(s->oracle, sign > 0 ? &row->proof : &row->reverse));
     return FMB_OK;
 }
 
-fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
-                                   int sign, fmb_support_row *row, bool *stands)
+/* fmb_support_query, but s->seen is not added. */
+static fmb_status look_at_form(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
+                               bool *stands)
 {
     fmb_weights cost = {0};
     fmb_oracle_end end;
     bool beyond = false;
     *stands = false;
-    fmb_status st = write_cost(s, h, sign, &cost, c->run->mem);
-    FMB_THEN(st, fmb_oracle_approach(c->oracle, &cost, &end));
+    fmb_status st = write_cost(s, h, sign, &cost, s->run->mem);
+    FMB_THEN(st, fmb_oracle_approach(s->oracle, &cost, &end));
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM)
-        beyond = is_point_beyond(c, s, h, sign);
+        beyond = is_point_beyond(s, h, sign);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM && !beyond) {
-        st = fmb_oracle_climb(c->oracle, &end);
-        beyond = st == FMB_OK && end == FMB_ORACLE_OPTIMUM && is_point_beyond(c, s, h, sign);
+        st = fmb_oracle_climb(s->oracle, &end);
+        beyond = st == FMB_OK && end == FMB_ORACLE_OPTIMUM && is_point_beyond(s, h, sign);
     }
-    fmb_weights_clear(&cost, c->run->mem);
+    fmb_weights_clear(&cost, s->run->mem);
     if (st != FMB_OK)
         return st;
     *stands = end == FMB_ORACLE_OPTIMUM && !beyond;
     if (*stands)
-        return prove_row(c, s, h, sign, row);
+        return prove_row(s, h, sign, row);
     if (end == FMB_ORACLE_OPTIMUM) {
-        fmb_oracle_point_integers(c->oracle, c->seen.x.z, c->seen.den);
+        fmb_oracle_point_integers(s->oracle, s->seen.x.z, s->seen.den);
     } else {
-        fmb_oracle_ray_integers(c->oracle, c->seen.x.z);
-        mpz_set_ui(c->seen.den, 0);
+        fmb_oracle_ray_integers(s->oracle, s->seen.x.z);
+        mpz_set_ui(s->seen.den, 0);
     }
     return FMB_OK;
 }
@@ -159,9 +132,8 @@ fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, 
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands)
 {
-    fmb_support_worker *c = &s->worker;
-    FMB_TRY(fmb_support_worker_look(c, s, h, sign, row, stands));
-    return !*stands ? fmb_support_take(s, c, &c->seen, 0) : FMB_OK;
+    FMB_TRY(look_at_form(s, h, sign, row, stands));
+    return !*stands ? fmb_support_take(s, 0) : FMB_OK;
 }
 
 /* ---- facets ---------------------------------------------------------------------------------- */
@@ -182,15 +154,14 @@ static bool is_row_known(const fmb_support *s, const fmb_vec *normal)
     return known;
 }
 
-fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
-                                     const fmb_facet *a, fmb_support_row *row,
-                                     fmb_support_answer *answer)
+fmb_status fmb_support_settle(fmb_support *s, const fmb_facet *a, fmb_support_row *row,
+                              fmb_support_answer *answer)
 {
     bool stands = false;
     *answer = FMB_SUPPORT_NO_ROW;
     if (is_at_infinity(s, &a->normal) || is_row_known(s, &a->normal))
         return FMB_OK;
-    fmb_status st = fmb_support_worker_look(c, s, &a->normal, 1, row, &stands);
+    fmb_status st = look_at_form(s, &a->normal, 1, row, &stands);
     *answer = stands ? FMB_SUPPORT_ROW : FMB_SUPPORT_BEYOND;
     return st;
 }

@@ -27,14 +27,9 @@ static fmb_status take_images_of_point(fmb_support *s, const fmb_vec *v)
     return FMB_OK;
 }
 
-bool fmb_support_is_symmetric(const fmb_support *s)
-{
-    return s->symmetry != NULL;
-}
-
 fmb_status fmb_support_take_images(fmb_support *s)
 {
-    if (!fmb_support_is_symmetric(s))
+    if (!s->symmetry)
         return FMB_OK;
     return take_images_of_point(s, &s->hull.generator[s->hull.generators - 1]);
 }
@@ -43,11 +38,11 @@ fmb_status fmb_support_take_images(fmb_support *s)
 
 fmb_status fmb_support_note_images(fmb_support *s, const fmb_vec *normal)
 {
-    if (!fmb_support_is_symmetric(s))
+    if (!s->symmetry)
         return FMB_OK;
     fmb_orbits *o = &s->symmetry->rows;
     fmb_status st = fmb_orbits_add(o, normal, s->rows - 1);
-    if (st == FMB_OK) /* an image of another row may have been queried in parallel */
+    if (st == FMB_OK) /* it may be there as an image of another row */
         o->item[fmb_orbits_find(o, normal)].tag = s->rows - 1;
     return st;
 }
