@@ -40,7 +40,7 @@ struct hulls {
     std::vector<std::unique_ptr<convex>> c[2];
 };
 
-/* What a way says; a depth is not a number if it tells none. */
+/* The answers of a way; a depth is NaN if it gives none. */
 struct answers {
     std::vector<fmb_verdict> verdict;
     std::vector<double> depth;
@@ -178,7 +178,7 @@ double cpu_ns()
     return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-/* The truth is the library's exact way. */
+/* The truth is computed by the library's exact method. */
 std::size_t count_wrong(const answers &said, const answers &truth, bool contact)
 {
     std::size_t wrong = 0;

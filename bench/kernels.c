@@ -1,9 +1,9 @@
-/* kernels.c: how long does it take to look at a pair of rows before it is formed? The kernels of
- * each set of instructions that this processor has, on random histories; and how long a combination
- * of two rows takes.
+/* kernels.c: the time to test a pair of rows before it is combined, by the kernels of each
+ * instruction set of this processor, on random histories; and the time of a combination of two
+ * rows.
  *
- * The histories of one row are held against those of 4,096 others, another row each time; the first
- * level is also the measure of the ratios. See README.md.
+ * The history of one row is tested against those of 4,096 others, a different row each time; ratios
+ * are to the first level. See README.md.
  */
 #include <stdlib.h>
 
@@ -44,7 +44,7 @@ static void fill(data *d)
 
 typedef double (*task)(const fmb_kernels *k, data *d, size_t words);
 
-/* Nanoseconds for each pair whose union is counted. */
+/* Nanoseconds to count the union of a pair. */
 static double count_pairs(const fmb_kernels *k, data *d, size_t words)
 {
     fmb_planes p = {d->planes, SETS, words, SETS};
@@ -54,7 +54,7 @@ static double count_pairs(const fmb_kernels *k, data *d, size_t words)
     return 1e9 * (thread_seconds() - begin) / (REPEATS * (double)SETS);
 }
 
-/* For each set that is held against a union. */
+/* Nanoseconds to test one set against a union. */
 static double cover_pairs(const fmb_kernels *k, data *d, size_t words)
 {
     fmb_planes p = {d->planes, SETS, words, SETS};
@@ -66,7 +66,7 @@ static double cover_pairs(const fmb_kernels *k, data *d, size_t words)
     return 1e9 * (thread_seconds() - begin) / (REPEATS * (double)SETS);
 }
 
-/* For each entry of a combination of two rows. */
+/* Nanoseconds for an entry of a combination of two rows. */
 static double combine_rows(const fmb_kernels *k, data *d, size_t words)
 {
     uint64_t all = 0;

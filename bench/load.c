@@ -1,4 +1,4 @@
-/* load.c: 20,000 rows in at once, and out again: how long? See README.md. */
+/* load.c: the time to add 20,000 rows at once, and to read them back. See README.md. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 
 enum { ROWS = 20000, DIM = 500, TERMS = 5, PASSES = 25 };
 
-/* Matrices are built first, a pass asks each once. */
+/* All matrices are built first; a pass uses each once. */
 typedef struct matrix {
     const char *name;
     size_t start[ROWS + 1];

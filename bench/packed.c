@@ -169,7 +169,7 @@ static fmb_status ask_contacts(void *self, size_t first, size_t n)
     return fmb_frames_test(w->k, w->a, w->b, n, w->pair + first, &out);
 }
 
-/* Depth and normal beside the verdict alone, of pairs as they are drawn. */
+/* Depth and normal against the verdict alone, on pairs as drawn. */
 static void measure_contacts(const study_pair_plan *plan, fmb_simd simd)
 {
     duel d;
@@ -237,8 +237,8 @@ typedef struct many_cell {
     const char *what;
     int dim;
     bool moves;
-    double far;   /* origins are within so many of the numbers that axes are within */
-    bool aligned; /* axes are parallel to those of the world */
+    double far;   /* bound of origins over the bound of axes */
+    bool aligned; /* axis-aligned frames */
     fmb_shape shape[2];
 } many_cell;
 
@@ -277,7 +277,7 @@ static const char *text_of_shapes(const fmb_shape shape[2])
     return shape[0] != shape[1] ? "mixed" : shape[0] == FMB_SIMPLEX ? "simplices" : "cuboids";
 }
 
-/* All against all, n frames each; the yardstick: as many in space. */
+/* All against all, n frames each; relative to as many frames in space. */
 static void measure_many(const many_cell *c, fmb_simd simd)
 {
     const many_cell space = {.dim = 3, .far = 0.75};
@@ -313,8 +313,7 @@ static void measure_many(const many_cell *c, fmb_simd simd)
     }
 }
 
-/* How many frames are so near each other that half of the pairs meet: of cuboids, of one of each,
- * of simplices, from 4D on. */
+/* `far` for which half of the pairs meet: cuboids, one of each, simplices, from 4D on. */
 static const double HALF[3][5] = {
     {0.35, 0.3, 0.2, 0.15, 0.1}, {0.4, 0.35, 0.27}, {0.45, 0.4, 0.35}};
 
@@ -330,7 +329,7 @@ static void measure_kinds(int dim, int simplices, bool moves, fmb_simd simd)
     }
 }
 
-/* Pairs that doubles do not tell, by index. */
+/* Pairs that doubles cannot decide, by index. */
 static void measure_family(study_pair_family family, int dim, int simplices, fmb_simd simd)
 {
     enum { SOME = 4096 };
@@ -377,7 +376,7 @@ static void measure_more_dimensions(fmb_simd simd)
 
 /* ---- threads --------------------------------------------------------------------------------- */
 
-/* The least time on the wall of PASSES passes. */
+/* The least wall-clock time of PASSES passes. */
 static double measure_threads(size_t threads)
 {
     const study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = 3};

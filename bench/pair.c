@@ -1,9 +1,8 @@
 /* pair.c: verdicts on pairs of frames: is elimination as fast as separating axes?
  *
- * For each dimension, still or moving, each kind of pair, those that meet and those that do not:
- * fmb_pair_test with either method on 65,536 distinct pairs of the article's generator, passes of
- * the two in turn; the time is this thread's CPU time, and what is printed are medians over the
- * passes. See README.md.
+ * For each dimension, still or moving, each kind of pair, meeting or disjoint: fmb_pair_test with
+ * either method on 65,536 distinct pairs of the article's generator, passes of the two in turn; the
+ * time is this thread's CPU time, and what is printed are medians over the passes. See README.md.
  */
 #include <string.h>
 

@@ -1,8 +1,8 @@
-/* proofs.c: what a proof of a projection costs, over the projection without one: that its rows are
- * right, that none is missing, writing both down, and checking them. See README.md.
+/* proofs.c: the cost of a proof of a projection, relative to the projection without one: that its
+ * rows are right, that none is missing, writing and checking both. See README.md.
  *
- * All arms of a problem run one after another in this process, on its own processor time; short
- * ones are asked again, and the least counts.
+ * All arms of a problem run one after another in this process, timed by its processor time; short
+ * runs are repeated, and the least counts.
  */
 #define _DEFAULT_SOURCE /* setitimer */
 #include <inttypes.h>
@@ -30,7 +30,7 @@ typedef struct bench_plan {
     const char *family; /* or NULL: all */
 } bench_plan;
 
-/* One problem [s]; below 0: not done. */
+/* Times of one problem [s]; below 0: not finished. */
 typedef struct bench_costs {
     double bare, rows, whole, written, checked;
     size_t corners, bytes;
@@ -50,7 +50,7 @@ static void fail(const char *what)
     exit(71);
 }
 
-/* Limits of time are on a clock that others slow down, so processor time ends a query here. */
+/* Other processes disturb the library's limits of wall time: a CPU timer cancels this solver. */
 static fmb_solver *asked;
 
 static void end_query(int signal)
@@ -65,7 +65,7 @@ static void end_query_after(double seconds)
     setitimer(ITIMER_PROF, &(struct itimerval){.it_value = after}, NULL);
 }
 
-/* The projection on the first variables, with that evidence; [s], below 0: not done. */
+/* Project on the first variables, with that evidence; [s], below 0: not finished. */
 static double project_once(fmb_solver *v, const problem *p, double seconds)
 {
     fmb_result r = {.size = sizeof r};
@@ -107,7 +107,7 @@ static double check_once(fmb_evidence *e, const problem *p)
     return thread_seconds() - begin;
 }
 
-/* Short queries are asked again: the least of up to five. */
+/* Short queries are repeated: the least time of up to five counts. */
 #define LONG_ENOUGH 0.02 /* [s] */
 #define MOST_RUNS   5
 

@@ -1,11 +1,11 @@
-/* session.c: what does a question cost after a change? A loaded system (<fmb/session.h>) against a
- * fresh solver's answer about a copy.
+/* session.c: the cost of a query after a change: a loaded system (<fmb/session.h>) against a fresh
+ * solver on a copy.
  *
  * From a system and its point, one change after another, each of another kind in turn: a bound that
- * the last point violates (branch), that row gone again (pop), a row less (remove, within a level),
- * a right side moved until the last point is outside (right). After each both are asked,
- * alternately first; the time is this thread's CPU time with all evidence. The changes themselves
- * are timed apart. See README.md.
+ * the last point violates (branch), that row popped again (pop), a row removed (remove, within a
+ * level), a right side moved until the last point is outside (right). After each change both are
+ * queried, alternately first; the time is this thread's CPU time with all evidence. The changes
+ * themselves are timed apart. See README.md.
  */
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
-/* tiny.c: is fmb_solve fast enough on tiny systems? Its verdict against GLPK's simplex.
+/* tiny.c: the time of fmb_solve on tiny systems, against GLPK's simplex.
  *
- * All systems are built first, for both. A pass asks every system once, so that no answer is
- * predicted from the last time; passes of the two alternate; the time is this thread's CPU time,
- * the median of several passes. fmb: one solver, default options, no evidence. GLPK: glp_simplex
- * from a fresh standard basis, messages off, no presolver; rows of one variable are column bounds,
- * which is what GLPK likes best. See README.md.
+ * All systems are built first, for both. A pass solves every system once, so that branch prediction
+ * learns no answer; passes of the two alternate; the time is this thread's CPU time, the median of
+ * several passes. fmb: one solver, default options, no evidence. GLPK: glp_simplex from a fresh
+ * standard basis, messages off, no presolver; rows of one variable are column bounds, the fastest
+ * form for GLPK. See README.md.
  */
 #include <glpk.h>
 #include <stdlib.h>

@@ -85,7 +85,7 @@ int main(int argc, char **argv)
         if (!(list[i].s = shape_pair(i, list[i].kind)))
             return 70;
     unsigned asked, feasible;
-    for (int k = 0; k < 3; k++) /* an engine compiles what runs often, and has done so then */
+    for (int k = 0; k < 3; k++) /* warm-up, for engines that compile hot code */
         pass(v, list, n, NULL, &asked, &feasible);
     for (unsigned i = 0; i < SHAPE_KINDS && i < n; i++)
         measure(v, list, n, list[i].kind, passes);

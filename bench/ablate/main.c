@@ -1,7 +1,7 @@
-/* main.c: what each way of the library earns. See ../README.md.
+/* main.c: the gain by each way of the library. See ../README.md.
  *
- * Every problem is asked with all ways on, twice, and once with each way off that was asked about.
- * A problem counts for a way if the way was asked there.
+ * Every problem is solved twice with all ways on, and once with each way off that its first run
+ * consulted. A problem counts for the ways that were consulted there.
  */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include <inttypes.h>
@@ -28,7 +28,7 @@ typedef struct setup {
     unsigned problems, wrong;
 } setup;
 
-/* Ours that has this question about this problem. */
+/* Our driver for this question about this problem. */
 static const peer *peer_with(const problem *p, peer_question question)
 {
     for (int i = 0; !p->own && peers[i]; i++)
@@ -45,7 +45,7 @@ static child_outcome ask(setup *s, const problem *variants, int way)
     return child_run(peer_with(variants, s->limits.question), variants, &s->limits);
 }
 
-/* Are both answers the same, as far as there are two? */
+/* Are both answers equal, unless one is missing? */
 static bool agree(const child_outcome *a, const child_outcome *b)
 {
     if (a->end != CHILD_DONE || b->end != CHILD_DONE)
@@ -158,7 +158,7 @@ static bool take_arguments(setup *s, int argc, char **argv)
     return true;
 }
 
-/* The switches are where child processes see them. */
+/* Put the switches and counts into memory shared with child processes. */
 static bool share_switches(void)
 {
     void *shared = mmap(NULL, sizeof *fmb_ways_at_hand, PROT_READ | PROT_WRITE,

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Dimensions, whether something moves, and which contact counts; pairs of a block: about as long
- * for each. */
+/* Dimensions, motion, and the kind of contact; the number of pairs, so that each block takes about
+ * as long. */
 static const struct {
     const char *name;
     int dim, naxes;
@@ -61,7 +61,7 @@ typedef struct state {
     peer_numbers numbers;
 } state;
 
-/* Simplices become what their corners, rounded, say. */
+/* Simplices are given by their rounded corners. */
 static void write_by_corners(study_pairs *s, fmb_frame *f)
 {
     double *axes = s->number + (f->axes - s->number);
@@ -103,7 +103,7 @@ static fmb_verdict ask_pairs(void *self)
                : FMB_UNKNOWN;
 }
 
-/* Ends are the same whoever finds them, so their sums in one order are, too. */
+/* Ends do not depend on the way that finds them, so their sums in a fixed order do not, either. */
 static const peer_numbers *sum_answers(void *self)
 {
     state *s = self;

@@ -25,7 +25,7 @@ typedef struct asking {
     void *self;
 } asking;
 
-/* Numbers of systems: as they are drawn, or fractions of so many digits. */
+/* Numbers of systems: as drawn (0), or fractions of so many digits. */
 static const int DIGITS[] = {0, 9};
 
 enum { DRESSES = sizeof DIGITS / sizeof *DIGITS };
@@ -63,7 +63,7 @@ static void ask_projections(uint64_t seed, const asking *a)
             ask_projection(f, seed, DIGITS[k], a);
 }
 
-/* The same program for each question: who asks takes over what it gets. */
+/* Draws the program anew for each question, as the callback takes it over. */
 static void ask_program(const study_program_plan *plan, int digits, peer_question question,
                         const asking *a)
 {
@@ -81,7 +81,7 @@ static void ask_program(const study_program_plan *plan, int digits, peer_questio
     a->ask(a->self, &p, question);
 }
 
-/* Of a quarter to twice the usual size of its family. */
+/* A quarter to twice the default size of the family. */
 static study_program_plan draw_program_plan(int family, uint64_t seed)
 {
     study_random g = {.state = seed * 1000003 + (uint64_t)family};
@@ -113,7 +113,7 @@ static void ask_programs(uint64_t seed, const asking *a)
     }
 }
 
-/* The system that says where two bodies meet, of each kind. */
+/* The system of the common points of two bodies, of each kind. */
 static void ask_pair_systems(uint64_t seed, const asking *a)
 {
     for (unsigned kind = 0; kind < SHAPE_KINDS; kind++) {
@@ -126,7 +126,7 @@ static void ask_pair_systems(uint64_t seed, const asking *a)
     }
 }
 
-/* Verdicts on systems of a few rows, as loops of programs ask for them. */
+/* Verdicts on systems of a few rows, as in inner loops of programs. */
 static void ask_tiny_programs(uint64_t seed, const asking *a)
 {
     static const char *const NAME[] = {"dense-origin", "dense-point", "dense-conflict", "strict"};
@@ -146,7 +146,7 @@ static void ask_tiny_programs(uint64_t seed, const asking *a)
 /* Families of polytopes, the sizes between which the seed chooses, and rows. */
 static const struct {
     const char *name;
-    int least, most, rows; /* rows: as many times the size; 0: the family tells */
+    int least, most, rows; /* rows: a multiple of the size; 0: given by the family */
 } POLYTOPE[] = {
     {"cube", 5, 10, 0},
     {"cross", 4, 9, 0},

@@ -19,10 +19,10 @@ static const struct {
 #undef WAY_ROW
         {"(all on, twice)", "", "noise"}};
 
-/* A way pays if that is the mean loss without it, or that the loss on one problem. */
+/* A way pays if the mean loss without it, or the loss on one problem, is as large. */
 #define PAYS_IN_THE_MEAN 1.05
 #define PAYS_ON_ONE      2.0
-/* [s] Shorter problems do not tell how bad the worst is. */
+/* [s] Shorter problems do not count for the worst ratio. */
 #define LEAST_TIME 1e-3
 
 const char *table_way_name(int way)
@@ -61,7 +61,7 @@ static unsigned count_lines(const char *path)
     return lines;
 }
 
-/* Of the files that would go with a way. */
+/* Lines of the files that only this way needs. */
 static unsigned count_lines_of_way(int way)
 {
     char list[1024], path[512];

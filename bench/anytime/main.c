@@ -1,10 +1,9 @@
-/* main.c: what a projection that is cut short is worth. See ../README.md.
+/* main.c: the quality of interrupted projections. See ../README.md.
  *
- * A problem is projected to its end, and then with limits that are shares of the processor time
- * that took. Two things tell how good an outer projection is: the share of the true facets that are
- * among its rows, and how wide it is, along random directions, beside the projection itself. Both
- * are found by the library: its canonical form makes equal facets equal rows, its exact optima tell
- * the widths.
+ * A problem is projected completely, and then with limits that are shares of the processor time of
+ * that run. Two measures of an outer projection: the share of the true facets among its rows, and
+ * its width along random directions, relative to the true projection. The library computes both: in
+ * its canonical form equal facets are equal rows, and its exact optima give the widths.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -27,7 +26,7 @@ static const char USAGE[] =
     "                     [--csv FILE]\n"
     "Ten hard projections, cut short at shares of the processor time that the whole takes.\n";
 
-/* Families of projections, and by how much larger than usual they are drawn. */
+/* Families of projections, and the growth of their sizes (projection.h). */
 static const struct {
     const char *family;
     int larger;
@@ -38,10 +37,10 @@ static const struct {
 
 enum { PROBLEMS = sizeof PROBLEM / sizeof *PROBLEM };
 
-/* Of the time of the whole; with the first one there is time for next to nothing. */
+/* Shares of the full time; the first one leaves time for almost nothing. */
 static const double SHARE[] = {1e-9, 0.03, 0.1, 0.3, 0.6};
 
-/* [s] Less is not hard. */
+/* [s] Faster problems are not hard. */
 #define HARD 0.05
 
 enum { SHARES = sizeof SHARE / sizeof *SHARE, DIRECTIONS = 40, MOST_KEPT = 16 };
@@ -63,9 +62,9 @@ typedef struct subject {
     double width[DIRECTIONS]; /* 0 or infinite: that direction does not count */
 } subject;
 
-/* What an outer projection is worth. */
+/* The quality of an outer projection. */
 typedef struct worth {
-    size_t rows, found; /* as handed out; facets among them */
+    size_t rows, found; /* of the outer projection; facets among them */
     double width,
         tight; /* means over directions: outer by true (infinite if one is), true by outer */
     fmb_stop stop;
@@ -79,8 +78,8 @@ static void need(fmb_status st)
     exit(71);
 }
 
-/* Limits of time go by the monotonic clock, and that by this program's processor time: the name is
- * the program's before it is the C library's. */
+/* Makes the monotonic clock, which the library's time limits use, show this program's processor
+ * time: the program's symbol precedes that of the C library. */
 int clock_gettime(clockid_t clock, struct timespec *t)
 {
     return (int)syscall(SYS_clock_gettime,
@@ -99,7 +98,7 @@ static double farthest(fmb_solver *v, const fmb_system *s, const double *coef, f
     return value;
 }
 
-/* Along each of the directions, which are the same for all that have so many variables. */
+/* Widths along each of the directions, which depend only on the number of variables. */
 static void measure_widths(const fmb_system *s, double *width)
 {
     fmb_options o = {.size = sizeof o};
@@ -167,7 +166,7 @@ static bool is_bounded_somewhere(const subject *p)
     return false;
 }
 
-/* The first one from that seed on that is hard, but not too hard, and has a width. */
+/* The first problem from that seed on that is hard, but not too hard, and has a width. */
 static void draw_subject(const setup *u, const char *name, int larger, subject *p)
 {
     int family = 0;
@@ -192,7 +191,7 @@ static void draw_subject(const setup *u, const char *name, int larger, subject *
 
 /* ---- what is found --------------------------------------------------------------------------- */
 
-/* Equal sets have equal rows then, in one order. */
+/* The canonical form: equal sets have the same rows in the same order. */
 static fmb_system *make_canonical(const fmb_system *s)
 {
     double seconds;

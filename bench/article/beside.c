@@ -1,7 +1,6 @@
-/* beside.c: the article's program beside what stands for it here (study/rivals): the same pairs,
- * the same repetitions, in turns, processor time. Built by `beside` against a checkout of the
- * original; no line of that is here.
- */
+/* beside.c: the article's program beside our reimplementation (study/rivals): the same pairs, the
+ * same repetitions, in turns, processor time. Built by `beside` against a checkout of the original,
+ * of which this file has no line. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -20,7 +19,7 @@
 #include "study/rivals/sat_plain.h"
 
 enum {
-    PAIRS = 3072, /* so many that the predictor of branches learns none */
+    PAIRS = 3072, /* too many for the branch predictor to learn */
     REPEATED_PAIRS = 96,
     MOST_REPEATS = 1500,
     ROUNDS = 3, /* over all cells, of each process, */
@@ -33,7 +32,7 @@ enum {
 typedef enum program { ORIGINAL, OURS } program;
 typedef enum test { FMB, SAT } test;
 
-/* The pairs of a cell, as each program has them; and what was said of the last one. */
+/* The pairs of a cell, in the format of each program; and the answers to the last one. */
 static union {
     Frame2D still_2[2][PAIRS];
     Frame3D still_3[2][PAIRS];
@@ -119,7 +118,7 @@ static bool is_of_cell(void *self, const fmb_frame *p, const fmb_frame *q)
     return study_sat_plain(p, q) == ((const cell *)self)->meets;
 }
 
-/* How many of the pairs the programs answer in different ways. */
+/* The number of pairs on which the programs differ. */
 static size_t count_different(const cell *c)
 {
     size_t different = 0;
@@ -134,7 +133,7 @@ static size_t count_different(const cell *c)
     return different;
 }
 
-/* The first pairs of the article's generator that are of the cell, as each program has them. */
+/* The first pairs of the article's generator in this cell, in the format of each program. */
 static bool draw_cell(cell *c, uint64_t seed)
 {
     study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = c->dim, .moves = c->moves};
@@ -153,11 +152,11 @@ static bool draw_cell(cell *c, uint64_t seed)
 
 /* ---- measuring ------------------------------------------------------------------------------- */
 
-/* The least times of a query [ns], of each of the four ways. What disturbs a processor lasts for
- * seconds and is not the same for all: where its other half is busy with another machine's work,
- * what takes 15 ns in the original takes 21, and ours, more instructions, a fifth more than that.
- * So rounds over all cells look for a time at which each has the processor to itself. Others last
- * for a process: by where its stack and its pages lie, the original took 32 ns in one of ten. */
+/* The least times of a query [ns], of each of the four ways. Disturbances last for seconds and
+ * affect programs differently: while the sibling hyperthread is busy, 15 ns of the original become
+ * 21, and ours, with more instructions, a fifth more than that. So the rounds over all cells look
+ * for a time at which each has the processor to itself. Others last for a process: depending on the
+ * places of its stack and pages, the original took 32 ns in one of ten. */
 typedef struct cell_times {
     double distinct[WAYS], repeated[WAYS][REPEATED_PAIRS];
     size_t different; /* answers */
@@ -168,14 +167,14 @@ static void note_least(double *least, double seconds, double queries)
     *least = fmin(*least, 1e9 * seconds / queries);
 }
 
-/* So many that the reading of the clock is little beside it. */
+/* So many repeats that reading the clock costs little in comparison. */
 static int choose_repeats(double ns)
 {
     double n = 5e4 / ns;
     return n < 1 ? 1 : n < MOST_REPEATS ? (int)n : MOST_REPEATS;
 }
 
-/* One round: of distinct pairs, and of one again and again, as the article has it. */
+/* One round: distinct pairs, and each pair again and again, as in the article. */
 static void measure(const cell *c, cell_times *t)
 {
     way *run[WAYS] = {ORIGINAL_WAY[c->dim - 2][c->moves][FMB],
@@ -205,7 +204,7 @@ static double mean_of_pairs(const double *x)
     return sum;
 }
 
-/* Is what stands for the program within so much of it? */
+/* Is our reimplementation close enough to the program? */
 static bool is_near(double ratio)
 {
     return fabs(ratio - 1) <= 0.15;
@@ -248,7 +247,7 @@ static bool report(const cell *c, const cell_times *t)
     return good;
 }
 
-/* Those that were seen by the processes before, if any. */
+/* The least times of earlier processes, if any. */
 static void read_times(const char *path, cell_times times[CELLS])
 {
     FILE *f = fopen(path, "rb");

@@ -1,4 +1,4 @@
-/* bars.c: see bars.h. Times are CPU times of one thread on this machine; ratios are better judges
+/* bars.c: see bars.h. Times are CPU times of one thread on this machine; ratios are more reliable
  * than seconds. */
 #include "bars.h"
 
@@ -12,7 +12,7 @@ struct bar {
     const char *trial; /* NULL: every trial */
     const char *about;
     bar_judge *judge;
-    const char *key; /* a driver, or what the name of a system ends with; or begins */
+    const char *key; /* a driver, or the end or the beginning of a system's name */
     double limit;
 };
 
@@ -24,7 +24,7 @@ static int driver_of(const line_plan *plan, const char *name)
     return -1;
 }
 
-/* The value is what x of some line makes it, if it is the largest so far. */
+/* The value becomes x, of line l, if it is the largest so far. */
 static void take_largest(bar_result *r, const line *l, double x)
 {
     static const char *const dress[] = {"", " (scales)", " (fractions)"};
@@ -35,7 +35,7 @@ static void take_largest(bar_result *r, const line *l, double x)
     snprintf(r->worst, sizeof r->worst, "%s%s", l->name, dress[l->dress]);
 }
 
-/* fmb's time where it did not answer: the limit. */
+/* fmb's time, or the limit if it did not answer. */
 static double time_of(const line *l)
 {
     const child_outcome *o = &l->outcome[0];
@@ -72,7 +72,7 @@ static void judge_unproved(const bar *b, const lines *all, const line_plan *plan
     judge_faults(all, LINE_UNPROVED, r);
 }
 
-/* fmb's time by that of the driver; what fmb did not finish counts with its limit. */
+/* fmb's time, or its limit if it did not finish, over that of the driver. */
 static double against(const line *l, int d)
 {
     const child_outcome *them = &l->outcome[d];
@@ -99,7 +99,7 @@ static void judge_largest(const bar *b, const lines *all, const line_plan *plan,
         take_largest(r, &all->list[i], against(&all->list[i], d));
 }
 
-/* How many times faster fmb is. */
+/* The driver's time over fmb's. */
 static void judge_ahead(const bar *b, const lines *all, const line_plan *plan, bar_result *r)
 {
     judge_mean(b, all, plan, r);
@@ -128,7 +128,7 @@ static void judge_peak(const bar *b, const lines *all, const line_plan *plan, ba
             take_largest(r, &all->list[i], (double)all->list[i].peak);
 }
 
-/* The peak by what it may be. */
+/* The peak memory over its allowance. */
 static void judge_memory(const bar *b, const lines *all, const line_plan *plan, bar_result *r)
 {
     (void)b, (void)plan;
@@ -137,7 +137,7 @@ static void judge_memory(const bar *b, const lines *all, const line_plan *plan, 
                      (double)all->list[i].peak / (50 * (double)all->list[i].bytes + 50e6));
 }
 
-/* The line of the same system as it is; NULL if there is none. */
+/* The line of the same system unchanged; NULL if there is none. */
 static const line *plain_twin(const lines *all, size_t i)
 {
     for (size_t k = i; k-- > 0;)

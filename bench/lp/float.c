@@ -1,12 +1,10 @@
-/* float.c: a linear program by GLPK alone, as its own command solves it: how long, and what it
- * says.
+/* float.c: a linear program by GLPK alone, as its own command solves it: times and results.
  *
  *   bench-lp-float FILE.mps...
  *
  * A line of JSON a file: CPU time to read it, to find out whether it has a solution (without its
- * objective), and to solve it, with status and value. Integers are taken for reals; where the
- * objective is to be large, it is negated, as all values are of minimisation. See
- * tests/regress/cases/programs.py.
+ * objective), and to solve it, with status and value. Integers are taken for reals; an objective to
+ * maximize is negated, as all values are minima. See tests/regress/cases/programs.py.
  */
 #include <glpk.h>
 #include <math.h>

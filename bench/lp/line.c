@@ -31,8 +31,7 @@ static bool same_answers(const child_outcome *a, const child_outcome *b)
     return same;
 }
 
-/* An exact peer that differs, a plan that says otherwise or a best value that is known to be
- * another one make fmb wrong. */
+/* fmb is wrong if an exact peer differs, or the planted verdict, or the known optimum. */
 static line_fault judge_line(line *l, const subject *s, const line_plan *plan)
 {
     const child_outcome *us = &l->outcome[0], *proof = &l->outcome[1];
@@ -56,7 +55,7 @@ static double spent(const child_outcome *o)
     return o->end == CHILD_DONE ? o->first : o->limit;
 }
 
-/* A round: each driver once, in a child of its own. False when the line has had its time. */
+/* A round: each driver once, in a child of its own. False when the time of the line is used up. */
 static bool run_round(line *l, const subject *s, const line_plan *plan, int round,
                       double times[][ROUNDS])
 {

@@ -77,7 +77,7 @@ static bool take_questions(run *r, const char *list)
     return known == words_of(list);
 }
 
-/* Do the names all stand for drivers of this build? "none" is no driver. */
+/* Do all names stand for drivers of this build? "none": no driver. */
 static bool take_peers(run *r, const char *list)
 {
     int known = is_listed(list, "none");
@@ -176,7 +176,7 @@ static table_part *new_part(run *r, const char *name)
     return p;
 }
 
-/* A trial with its bars; false if one of them is broken. */
+/* Run a trial and judge its bars; false if a bar is missed. */
 static bool run_trial(run *r, const trial *t)
 {
     table_part *p = new_part(r, t->name);

@@ -6,7 +6,7 @@
 
 #include "study/program/random.h"
 
-/* Entries of all variants together that are worth their memory: the drivers get dense rows. */
+/* Bound on the entries of all variants together, for memory: the drivers get dense rows. */
 static const double MOST_ENTRIES = 4e6;
 
 /* An allocator that only counts. */
@@ -53,7 +53,7 @@ static fmb_system *dressed(fmb_system *s, subject_dress dress, uint64_t seed)
     return other;
 }
 
-/* A file may come without an objective: it gets one at random. */
+/* A file without an objective gets a random one. */
 static void need_objective(fmb_system *s, uint64_t seed)
 {
     study_random g = {seed};

@@ -96,7 +96,7 @@ static size_t case_paths(const setup *how, const char *name, char ***out)
     return n;
 }
 
-/* All files of the folder in this dress. */
+/* Measure all files of the folder, changed by this dress. */
 static bool ask_cases(lines *to, const char *folder, subject_dress dress, const question *q,
                       const setup *how)
 {
@@ -120,7 +120,7 @@ static bool run_lp(const trial *t, const setup *how, lines *to)
     return ask_cases(to, "lp", DRESS_NONE, &t->question, how);
 }
 
-/* The same systems twice. */
+/* The same systems as drawn and with fractions. */
 static bool run_fractions(const trial *t, const setup *how, lines *to)
 {
     return ask_cases(to, "lp2", DRESS_NONE, &t->question, how) &&
@@ -140,8 +140,8 @@ static bool run_random(const trial *t, const setup *how, lines *to)
     return true;
 }
 
-/* Small systems of every family at random, each as it is and with scales; those of a family that
- * has one size only are among them. */
+/* Small random systems of every family, each unchanged and rescaled; families of a single size are
+ * included. */
 static bool run_scaled(const trial *t, const setup *how, lines *to)
 {
     setup h = *how;

@@ -1,13 +1,13 @@
 /* bars.c: see bars.h.
  *
- * A side finishes a problem if any of its drivers does; the best of them counts. Where fmb does not
+ * A side finishes a problem if any of its drivers does; its best driver counts. If fmb does not
  * finish, its time is the limit.
  */
 #include "bars.h"
 
 #include <math.h>
 
-/* least: of the best time of the side by fmb's; 0, no matter. */
+/* least: bound on the best time of the side over fmb's; 0: none. */
 typedef struct bar {
     const char *libraries;
     double share, mean, least;
@@ -29,7 +29,7 @@ static const bar *bars_of_question(peer_question question)
     return question == PEER_PROJECT ? PROJECTION_BARS : CONE_BARS;
 }
 
-/* Having tried what did not help may cost half as much as the best way takes. */
+/* Fruitless attempts may cost half the time of the best method. */
 static const double PRICE = 1.5;
 
 static bool is_of_side(const peer *p, const bar *b)
@@ -45,7 +45,7 @@ bool bars_same_side(peer_question question, const peer *a, const peer *b)
     return a->ours && b->ours;
 }
 
-/* The driver of a side (NULL: fmb's single ways) that was first on a problem, or -1. */
+/* The fastest driver of a side (NULL: fmb's single methods) on a problem, or -1. */
 static int best_of_side(const report *r, const entry *e, const bar *b)
 {
     int best = -1;
@@ -61,7 +61,7 @@ static double seconds_of_fmb(const report *r, const entry *e)
     return e->outcome[0].end == CHILD_DONE ? e->outcome[0].typical : r->limits.seconds;
 }
 
-/* The best time of a side by fmb's; 0 where nobody of it finished. */
+/* The best time of a side over fmb's; 0 if no driver of it finished. */
 static double ratio_of_side(const report *r, const entry *e, const bar *b)
 {
     int d = best_of_side(r, e, b);

@@ -79,7 +79,7 @@ static void normalize(const table *t, size_t k, size_t j)
     mpq_clear(pivot);
 }
 
-/* Gauss-Jordan on the equalities; every other row is 0 on their pivots afterwards. */
+/* Gauss-Jordan elimination by the equalities; every other row becomes 0 in their pivots. */
 static void reduce_by_equalities(const table *t)
 {
     size_t equalities = 0, done = 0;

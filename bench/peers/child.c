@@ -21,9 +21,9 @@
 #include "child.h"
 #include "peak.h"
 
-/* A driver's later runs are at most so many. */
+/* The most later runs of a driver. */
 enum { LATER_RUNS = 16 * CHILD_VARIANTS };
-/* To make a result canonical [s]. */
+/* Time limit for the canonical form of a result [s]. */
 static const double CANON_SECONDS = 60;
 
 /* ---- inside the child ------------------------------------------------------------------------ */
@@ -96,7 +96,7 @@ static bool run_all(job *j)
     return true;
 }
 
-/* The verdict on the first variant, its numbers, and whether its proof holds. */
+/* Report the verdict on the first variant, its numbers, and whether its proof holds. */
 static void tell_answer(job *j)
 {
     const peer *d = j->driver;
@@ -112,7 +112,7 @@ static void tell_answer(job *j)
     fprintf(j->out, "proved %d %.9e\n", good, thread_seconds() - begin);
 }
 
-/* What the variants gave: the first one's answer, and whether all are the same. */
+/* Report the first variant's answer, and whether all variants agree. */
 static void tell_results(job *j)
 {
     char *first = NULL;
@@ -143,7 +143,7 @@ static void limit_memory(size_t bytes)
     setrlimit(RLIMIT_CORE, &core);
 }
 
-/* Peers talk to both streams; nobody listens. */
+/* Discard both output streams: peers write to them. */
 static void mute(void)
 {
     if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr))
@@ -174,7 +174,7 @@ static void run_child(const peer *d, const problem *variants, const child_limits
 
 /* ---- outside --------------------------------------------------------------------------------- */
 
-/* All the child writes, until it ends; killed if it sleeps for much longer than it may run. */
+/* All output of the child until it ends; kills it if it sleeps much longer than it may run. */
 static char *listen(int in, pid_t child, double patience, size_t *size)
 {
     char *text = NULL, part[4096];

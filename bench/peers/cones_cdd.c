@@ -85,7 +85,7 @@ static void integer_row(const state *s, mpq_t *row, mpz_t *a)
     mpz_clear(common);
 }
 
-/* The vertex of a cone, the origin, is understood. */
+/* The vertex of a cone, the origin, is left out. */
 static fmb_system *fetch_cdd(void *self)
 {
     state *s = self;

@@ -1,6 +1,6 @@
-/* cones_lrs.c: lrs, reverse search, as the program of that name: its time is what the process
- * takes, reading and printing included, less what it takes for a single row. Outside the clock: the
- * file it reads. */
+/* cones_lrs.c: lrs, reverse search, as the program of that name: its time is that of the process,
+ * with reading and printing, minus the time for a single row. Outside the clock: the file it reads.
+ */
 #include <fcntl.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,17 +10,17 @@
 
 #include "peers.h"
 
-/* A run no longer than its start [s]. */
+/* The time of a run that takes no longer than the start [s]. */
 static const double LEAST_SECONDS = 1e-6;
 
 typedef struct state {
     char in[32], row[32], out[32];
     bool hull;
-    double seconds; /* that a run may take */
+    double seconds; /* limit of a run */
     double took;    /* CPU time of the last run, without the start [s] */
 } state;
 
-/* A file of its own under that template. */
+/* A new temporary file by this template. */
 static FILE *open_temporary(char *name)
 {
     int fd = mkstemp(name);
@@ -59,8 +59,8 @@ static void ready_lrs(void *self)
     (void)self;
 }
 
-/* CPU time [s] of the program on that file; negative if it failed. Limits of this process say
- * nothing of the time of another. */
+/* CPU time [s] of the program on that file; negative if it failed. Its time needs a limit of its
+ * own, as that of this process does not include it. */
 static double run_program(const state *s, const char *in)
 {
     struct rusage use;
@@ -82,7 +82,7 @@ static double run_program(const state *s, const char *in)
            1e-6 * (double)(use.ru_utime.tv_usec + use.ru_stime.tv_usec);
 }
 
-/* A run on a single row comes first: what starting takes just now. */
+/* First runs on a single row, to measure the current time of a start. */
 static bool run_lrs(void *self)
 {
     state *s = self;

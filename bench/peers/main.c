@@ -22,7 +22,7 @@ typedef struct setup {
     bool quick, list, all_answer, bars, methods;
     char **path; /* problems, owned */
     size_t paths;
-    bool families, unseen; /* draw problems of them; of those that no choice of ways has seen */
+    bool families, unseen; /* draw problems of families; of unseen families (projection.h) */
     uint64_t seed, each;
 } setup;
 
@@ -54,7 +54,7 @@ static bool add_manifest(setup *s, const char *path)
     return true;
 }
 
-/* fmb always, its single ways with --methods; the others as asked. All that can answer. */
+/* All able drivers: fmb always, its single methods with --methods, peers by request. */
 static void choose_drivers(setup *s)
 {
     report *r = &s->report;
@@ -70,7 +70,7 @@ static void choose_drivers(setup *s)
 
 /* ---- running --------------------------------------------------------------------------------- */
 
-/* Large problems come in one order: each variant is held twice. */
+/* Large problems have one variant: each is held in memory twice. */
 static int count_variants(const problem *p)
 {
     return p->m * (size_t)(p->n + 1) > 20000 ? 1 : CHILD_VARIANTS;
@@ -128,7 +128,7 @@ static const char *reason_to_skip(peer_question question, problem *p)
     return question != PEER_HULL && !p->system ? "there are no rows" : NULL;
 }
 
-/* Runs and forgets the rows of p. */
+/* Runs all drivers, then frees the rows of p. */
 static void run_problem(setup *s, problem *p)
 {
     report *r = &s->report;
@@ -156,7 +156,7 @@ static bool run_path(setup *s, const char *path)
     return true;
 }
 
-/* Each family under so many seeds. */
+/* Problems of each family, by several seeds. */
 static void run_families(setup *s)
 {
     int known = study_projections(), seen = known + study_projections_apart();

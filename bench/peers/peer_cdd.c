@@ -159,7 +159,7 @@ static bool project_fourier(void *self)
     return error == dd_NoError;
 }
 
-/* The generators without the coordinates that go. */
+/* The generators without the eliminated coordinates. */
 static dd_MatrixPtr shortened(dd_MatrixPtr g, int keep)
 {
     dd_MatrixPtr out = dd_CreateMatrix(g->rowsize, (dd_colrange)keep + 1);

@@ -1,6 +1,6 @@
 /* peer_fmb.c: fmb itself. The solver is made outside the clock. `fmb` keeps no evidence, unless the
- * setup says so; `fmb-proof` keeps all, and its answers are proved again by fmb_check. `fmb-fm`,
- * `fmb-dd` and `fmb-hull` project by one method each. */
+ * setup says so; `fmb-proof` keeps all, and fmb_check checks its answers. `fmb-fm`, `fmb-dd` and
+ * `fmb-hull` project by one method each. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -95,7 +95,7 @@ static fmb_system *fetch_fmb(void *self)
     return copy;
 }
 
-/* The verdict of a whole answer; UNKNOWN where a limit cut it short. */
+/* The verdict of a complete answer; UNKNOWN if a limit interrupted it. */
 static fmb_verdict whole(fmb_status st, const fmb_result *r)
 {
     return st == FMB_OK && r->stop == FMB_STOP_DONE ? r->verdict : FMB_UNKNOWN;

@@ -21,7 +21,7 @@ typedef struct state {
     peer_numbers numbers;
 } state;
 
-/* Row i in the numbers in which it was written: made integers, they might be beyond doubles. */
+/* Row i with its original numbers: integers might exceed the range of doubles. */
 static void add_row(glp_prob *lp, const fmb_system *s, size_t i, int *index, double *value)
 {
     int row = glp_add_rows(lp, 1), terms = (int)fmb_system_terms(s, i);
@@ -98,7 +98,7 @@ static fmb_verdict decide_glpk(void *self)
     return status == GLP_OPT ? FMB_FEASIBLE : status == GLP_NOFEAS ? FMB_INFEASIBLE : FMB_UNKNOWN;
 }
 
-/* The objective from where the last call ended: FEASIBLE, and its best value is noted. */
+/* Optimize from the last basis: FEASIBLE, and the optimum is noted. */
 static fmb_verdict optimize_further(state *s, int direction)
 {
     glp_smcp how;

@@ -65,7 +65,7 @@ static void forget(state *s)
     s->work = s->result = NULL;
 }
 
-/* isl_basic_set_copy only counts, and answers would stay in the copy: read it anew. */
+/* Read the set anew: isl_basic_set_copy only counts references, and a copy would cache answers. */
 static void ready_isl(void *self)
 {
     state *s = self;

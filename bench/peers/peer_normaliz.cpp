@@ -1,10 +1,10 @@
 /* peer_normaliz.cpp: Normaliz, which has a C++ interface only.
  *
  * On the cone { (t, x): A x <= b t, t >= 0 }: its extreme rays and maximal subspace, or support
- * hyperplanes and equations of what generators span. A projection: the rays' and the subspace's
- * coordinates that go dropped, support hyperplanes of the cone over the rest, whose slice t = 1 it
- * is. (Normaliz's own ProjectCone starts from the extreme rays as well: it takes as long, and
- * refuses the cone { 0 }.)
+ * hyperplanes and equations of the span of generators. A projection: drop the eliminated
+ * coordinates of rays and subspace, then support hyperplanes of the cone that they span, whose
+ * slice t = 1 is the projection. (Normaliz's own ProjectCone starts from the extreme rays as well:
+ * it takes as long, and refuses the cone { 0 }.)
  *
  * Outside the clock: the cone, built of inequalities and equations, or of rays and lines (GMP
  * integers; Normaliz tries 64-bit ones first). Inside: the computation. One thread. No strict rows.
@@ -30,8 +30,8 @@ struct State {
     size_t n, keep;
     bool hull;
     Cone *cone;
-    Table halves, wholes; /* the answer: (t, x), of x perhaps what is kept */
-    bool are_rows;        /* it is >= 0, = 0; else rays and lines */
+    Table halves, wholes; /* the answer: (t, x), perhaps x's kept part only */
+    bool are_rows;        /* the answer is rows >= 0, = 0; else rays and lines */
 };
 
 /* (b, -a) >= 0 or = 0; (t, x) */
@@ -109,7 +109,7 @@ void shorten(Table &rows, size_t width)
         row.resize(width);
 }
 
-/* Where there are no generators at all, nothing is left: -1 >= 0. */
+/* Without any generators the projection is empty: -1 >= 0. */
 bool project_cone(void *self)
 try {
     State *s = static_cast<State *>(self);

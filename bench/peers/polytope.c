@@ -1,17 +1,17 @@
-/* polytope.c: see polytope.h. Those that are known by their points come as rows of their polar:
- * points are the hull question's business, whose input is the vertices of these rows. */
+/* polytope.c: see polytope.h. Polytopes known by their points are given by the rows of their polar,
+ * whose vertices are the input of the hull question. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "polytope.h"
 #include "study/program/random.h"
 
-/* A system while it is being written. */
+/* A system under construction. */
 typedef struct pen {
     const polytope_plan *plan;
     fmb_system *s;
     study_random random;
-    int64_t *a; /* [dim] the row at hand */
+    int64_t *a; /* [dim] the current row */
 } pen;
 
 static void begin(pen *w, int dim)
@@ -20,7 +20,7 @@ static void begin(pen *w, int dim)
     w->a = need(calloc((size_t)dim + 1, sizeof *w->a));
 }
 
-/* The row at hand, and then an empty one. */
+/* Append the current row and clear it. */
 static void put(pen *w, fmb_rel rel, int64_t right)
 {
     if (fmb_system_add_int(w->s, w->a, rel, right) != FMB_OK)
@@ -171,7 +171,7 @@ static void draw_sphere(pen *w)
     }
 }
 
-/* Small numbers, so that many rows meet in a point, and perhaps no bound this way or that. */
+/* Small numbers, so that many rows meet in a point; perhaps unbounded. */
 static void draw_small(pen *w)
 {
     int n = w->plan->size;

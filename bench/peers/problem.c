@@ -107,7 +107,7 @@ static void integer_generator(const fmb_generators *g, size_t i, mpz_t *a)
     mpq_clear(q);
 }
 
-/* The comment lines "* NAME family=WORD" and "* keep K", K variables stay. */
+/* The comment lines "* NAME family=WORD" and "* keep K": K kept variables. */
 static void read_comments(problem *p, FILE *in)
 {
     char line[512];
@@ -228,7 +228,7 @@ bool problem_read(problem *p, const char *path)
 
 /* ---- variants -------------------------------------------------------------------------------- */
 
-/* Row i of from behind those of to, in the same numbers. */
+/* Append row i of from to to, with the same numbers. */
 static void append_row(fmb_system *to, const fmb_system *from, size_t i)
 {
     size_t n = fmb_system_terms(from, i);
@@ -248,7 +248,7 @@ static void append_row(fmb_system *to, const fmb_system *from, size_t i)
     free(var);
 }
 
-/* The objective of one system becomes that of another. */
+/* Copy the objective of a system. */
 static void copy_objective(const fmb_system *from, fmb_system *to)
 {
     size_t n = fmb_system_objective_terms(from);
@@ -269,7 +269,7 @@ static void copy_objective(const fmb_system *from, fmb_system *to)
     free(var);
 }
 
-/* Row a as a generator behind those of to. */
+/* Append row r to to as a generator. */
 static void append_generator(fmb_generators *to, const problem_row *r)
 {
     size_t n = (size_t)fmb_generators_dim(to);

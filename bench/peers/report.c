@@ -22,7 +22,7 @@ static bool same(const child_outcome *a, const child_outcome *b, bool decide)
     return decide ? a->verdict == b->verdict : strcmp(a->text, b->text) == 0;
 }
 
-/* The answers against the first exact one (fmb's, where it has one). */
+/* Compare the answers with the first exact one (fmb's, if it has one). */
 static void judge_answers(const report *r, entry *e)
 {
     int first = -1;
@@ -153,8 +153,7 @@ static void put_total(const char *name, const total *t)
            t->finished ? exp(t->log_ratio / t->finished) : 0, t->finished ? t->least : 0, t->wrong);
 }
 
-/* Against one peer alone: where it finished, fmb's limit of time standing for fmb's time where fmb
- * did not. */
+/* Totals against one peer: the problems that it finished; if fmb did not, its time is the limit. */
 static total add_up_peer(const report *r, int d)
 {
     total t = {.least = INFINITY};

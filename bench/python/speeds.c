@@ -1,5 +1,5 @@
-/* speeds.c: what speeds.py asks of Python, in C: bench-python tiny N | pairs FILE FRAMES PAIRS.
- * Prints seconds of the processor, of a second pass. */
+/* speeds.c: the tasks of speeds.py in C: bench-python tiny N | pairs FILE FRAMES PAIRS. Prints
+ * seconds of the processor, of a second pass. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
