@@ -17,7 +17,6 @@
 #include <float.h>
 #include <math.h>
 
-#include "frame/jordan.h"
 #include "num/rationals.h"
 #include "num/vec.h"
 #include "proximity/proximity_private.h"
@@ -25,14 +24,18 @@
 typedef struct wolfe {
     fmb_minkowski *m;
     fmb_run *run;
-    size_t most;      /* vertices in a corral, dim + 1, and one more */
-    size_t n;         /* those in it */
-    mpz_t **vertex;   /* [most] (minkowski.h) */
-    mpz_t *vertices;  /* their numbers */
-    mpz_t *table;     /* [most + 1][most + 2] */
-    mpz_t *direction; /* [dim] x times the determinant */
-    mpq_t *weight;    /* [most] of the vertices in x */
-    mpq_t *wish;      /* [most] in y */
+    size_t most;     /* vertices in a corral, dim + 1, and one more */
+    size_t n;        /* those in it */
+    mpz_t **vertex;  /* [most] (minkowski.h) */
+    mpz_t *vertices; /* their numbers */
+    mpz_t *table;    /* [most][most] */
+    mpz_t *edge; /* [most][dim] from the first vertex to the others, without the powers of 2 they
+                    share ... */
+    mp_bitcnt_t *power; /* [most] ... which these are */
+    mpz_t *share;       /* [most] of the vertices in x, times the determinant */
+    mpz_t *direction;   /* [dim] x times the determinant */
+    mpq_t *weight;      /* [most] of the vertices in x */
+    mpq_t *wish;        /* [most] in y */
     double *near; /* [most][dim] in doubles: vertices, none of whose numbers is larger than 1 ... */
     double *gram; /* ... [most][most + 1] their products, and 1 */
     double *rough; /* [dim] x */
@@ -50,7 +53,7 @@ static size_t vertex_size(const wolfe *w)
 
 static size_t table_size(const wolfe *w)
 {
-    return (w->most + 1) * (w->most + 2);
+    return w->most * (w->most + (size_t)w->m->dim + 1); /* with edges and shares */
 }
 
 static size_t rough_size(const wolfe *w)
@@ -83,8 +86,11 @@ static fmb_status open_wolfe(wolfe *w, fmb_minkowski *m, fmb_run *run)
     w->table = fmb_vec_block(table_size(w), mem);
     w->direction = fmb_vec_block(dim, mem);
     w->near = fmb_mem_get(mem, rough_size(w), sizeof *w->near);
-    if (!w->vertex || !w->vertices || !w->table || !w->direction || !w->near)
+    w->power = fmb_mem_get(mem, w->most, sizeof *w->power);
+    if (!w->power || !w->vertex || !w->vertices || !w->table || !w->direction || !w->near)
         return fmb_mem_status(mem);
+    w->edge = w->table + w->most * w->most;
+    w->share = w->edge + w->most * dim;
     for (size_t i = 0; i < w->most; i++)
         w->vertex[i] = w->vertices + i * vertex_size(w);
     w->gram = w->near + w->most * dim;
@@ -107,6 +113,7 @@ static void close_wolfe(wolfe *w)
     free_block(w, w->direction, dim);
     fmb_mem_put(mem, w->near, rough_size(w), sizeof *w->near);
     fmb_mem_put(mem, w->vertex, w->most, sizeof *w->vertex);
+    fmb_mem_put(mem, w->power, w->most, sizeof *w->power);
     fmb_rationals_free(w->weight, w->most, mem);
     fmb_rationals_free(w->wish, w->most, mem);
     mpz_clears(w->det, w->a, w->b, NULL);
@@ -159,24 +166,88 @@ static void find_rough_wish(wolfe *w)
     }
 }
 
-/* The weights of y make all v_i.y equal and add up to 1. The matrix is regular as the vertices are
- * affinely independent. */
+/* Edge i, from the first vertex to vertex i + 1, without the power of 2 that its numbers share. */
+static mp_bitcnt_t find_edge(wolfe *w, size_t i)
+{
+    mpz_t *e = w->edge + i * (size_t)w->m->dim;
+    mpz_set_ui(w->a, 0);
+    for (int j = 0; j < w->m->dim; j++) {
+        mpz_sub(e[j], w->vertex[i + 1][j], w->vertex[0][j]);
+        mpz_ior(w->a, w->a, e[j]);
+    }
+    mp_bitcnt_t power = mpz_sgn(w->a) == 0 ? 0 : mpz_scan1(w->a, 0);
+    for (int j = 0; j < w->m->dim; j++)
+        mpz_tdiv_q_2exp(e[j], e[j], power);
+    return power;
+}
+
+/* Edge i times those behind it, and times the first vertex, negated, in the last place. */
+static void find_products(wolfe *w, size_t i)
+{
+    size_t n = w->n, dim = (size_t)w->m->dim;
+    mpz_t *row = w->table + i * n, *e = w->edge + i * dim;
+    for (size_t k = i; k < n - 1; k++)
+        fmb_minkowski_dot(w->m, e, w->edge + k * dim, row[k]);
+    fmb_minkowski_dot(w->m, e, w->vertex[0], row[n - 1]);
+    mpz_neg(row[n - 1], row[n - 1]);
+}
+
+/* Fraction-free, as in frame/jordan.c, but of a symmetric matrix the upper half alone; det is the
+ * last pivot. Pivots are squares of volumes: one is 0 only if edges are dependent. */
+static fmb_status eliminate(wolfe *w)
+{
+    size_t n = w->n;
+    mpz_set_ui(w->det, 1);
+    for (size_t c = 0; c + 1 < n; c++) {
+        mpz_t *p = w->table + c * n;
+        if (mpz_sgn(p[c]) == 0)
+            return FMB_ERR_ARG;
+        for (size_t i = c + 1; i + 1 < n; i++) {
+            mpz_t *row = w->table + i * n;
+            for (size_t j = i; j < n; j++) {
+                mpz_mul(row[j], row[j], p[c]);
+                mpz_submul(row[j], p[i], p[j]);
+                mpz_divexact(row[j], row[j], w->det);
+            }
+            FMB_TRY(fmb_poll_if_limited(w->run));
+        }
+        mpz_set(w->det, p[c]);
+    }
+    return FMB_OK;
+}
+
+/* y is the first vertex and multiples of edges, and at right angles to all of these. By Cramer's
+ * rule each multiple times det is whole. What is taken out of an edge its multiple is divided by,
+ * so that all others, and det, are multiplied; a power of 2 that all share is none of theirs. */
 static fmb_status find_exact_wish(wolfe *w)
 {
-    size_t n = w->n, width = n + 2;
-    for (size_t i = 0; i <= n; i++) {
-        mpz_t *row = w->table + i * width;
-        for (size_t k = 0; k < n; k++)
-            if (i < n)
-                fmb_minkowski_dot(w->m, w->vertex[i], w->vertex[k], row[k]);
-            else
-                mpz_set_ui(row[k], 1);
-        mpz_set_ui(row[n], i < n);
-        mpz_set_ui(row[n + 1], i == n);
+    size_t n = w->n;
+    mp_bitcnt_t *power = w->power, most = 0;
+    if (n == 0) /* doubles dropped all */
+        return FMB_ERR_ARG;
+    for (size_t i = 0; i + 1 < n; i++) {
+        power[i] = find_edge(w, i);
+        most = power[i] > most ? power[i] : most;
     }
-    FMB_TRY(fmb_jordan(w->table, (int)n + 1, (int)width, (int)n + 1, w->det, w->run));
+    for (size_t i = 0; i + 1 < n; i++)
+        find_products(w, i);
+    FMB_TRY(eliminate(w));
+    for (size_t i = n - 1; i-- > 0;) {
+        mpz_t *row = w->table + i * n;
+        mpz_ptr x = w->share[i + 1];
+        mpz_mul(x, row[n - 1], w->det);
+        for (size_t k = i + 1; k < n - 1; k++)
+            mpz_submul(x, row[k], w->share[k + 1]);
+        mpz_divexact(x, x, row[i]);
+    }
+    mpz_mul_2exp(w->det, w->det, most);
+    mpz_set(w->share[0], w->det);
+    for (size_t i = 1; i < n; i++) {
+        mpz_mul_2exp(w->share[i], w->share[i], most - power[i - 1]);
+        mpz_sub(w->share[0], w->share[0], w->share[i]);
+    }
     for (size_t i = 0; i < n; i++) {
-        mpz_set(mpq_numref(w->wish[i]), w->table[i * width + n + 1]);
+        mpz_set(mpq_numref(w->wish[i]), w->share[i]);
         mpz_set(mpq_denref(w->wish[i]), w->det);
     }
     return FMB_OK;
@@ -257,12 +328,6 @@ static fmb_status make_corral(wolfe *w)
     return FMB_OK;
 }
 
-/* The weight of vertex i in y, times det. */
-static mpz_ptr share_of_vertex(const wolfe *w, size_t i)
-{
-    return w->table[i * (w->n + 2) + w->n + 1];
-}
-
 /* direction = det x, a whole vector. */
 static void find_exact_direction(wolfe *w)
 {
@@ -270,7 +335,7 @@ static void find_exact_direction(wolfe *w)
         mpz_set_ui(w->direction[j], 0);
     for (size_t i = 0; i < w->n; i++)
         for (int j = 0; j < w->m->dim; j++)
-            mpz_addmul(w->direction[j], share_of_vertex(w, i), w->vertex[i][j]);
+            mpz_addmul(w->direction[j], w->share[i], w->vertex[i][j]);
 }
 
 /* x in doubles, and as a direction of short whole numbers. */
@@ -354,7 +419,7 @@ static void weigh_number(wolfe *w, size_t place, const mpz_t unit, mpq_t out)
 {
     mpz_set_ui(mpq_numref(out), 0);
     for (size_t i = 0; i < w->n; i++)
-        mpz_addmul(mpq_numref(out), share_of_vertex(w, i), w->vertex[i][place]);
+        mpz_addmul(mpq_numref(out), w->share[i], w->vertex[i][place]);
     mpz_mul(mpq_denref(out), w->det, unit);
     mpq_canonicalize(out);
 }

@@ -116,3 +116,35 @@ Test(normals, beside_whole_numbers)
         }
     fmb_solver_free(v);
 }
+
+/* ---- depth and distance ---------------------------------------------------------------------- */
+
+static fmb_verdict verdict_of(fmb_solver *v, const fmb_frame *f, bool deep)
+{
+    fmb_proximity *p = NULL;
+    fmb_result r = {.size = sizeof r};
+    must((deep ? fmb_depth : fmb_distance)(v, f, FMB_NORM_EUCLIDEAN, &p, &r));
+    fmb_proximity_free(p);
+    return r.verdict;
+}
+
+/* One that touches another may lose all vertices of its corral where doubles look for the nearest
+ * point. */
+Test(normals, verdicts_of_both)
+{
+    fmb_solver *v = must_open((fmb_options){0});
+    for (int family = 0; family < STUDY_PAIR_FAMILIES; family++)
+        for (uint64_t k = 0; k < 48; k++) {
+            study_pair pair;
+            study_pair_plan plan = {.dim = k % 4 < 2 ? 3 : 6, .moves = k % 2};
+            plan.family = (study_pair_family)family;
+            plan.shape[0] = plan.shape[1] = STUDY_PAIR_ANY_SHAPE;
+            study_pair_draw(&plan, 20261127006, k / 4, &pair);
+            for (int order = 0; order < 2; order++) {
+                const fmb_frame f[2] = {order ? pair.q : pair.p, order ? pair.p : pair.q};
+                cr_expect(verdict_of(v, f, true) == verdict_of(v, f, false), "%s %d",
+                          study_pair_family_text(plan.family), (int)k);
+            }
+        }
+    fmb_solver_free(v);
+}
