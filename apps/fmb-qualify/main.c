@@ -1,4 +1,4 @@
-/* main.c: studies of the library: a table of subcommands, one a question. */
+/* main.c: studies of the library: a table of subcommands, one for each study. */
 #include "common/dispatch.h"
 #include "fmb-qualify/experiment/experiment.h"
 #include "fmb-qualify/render.h"

@@ -17,7 +17,7 @@
 
 enum { WIDTH = 100 }; /* of a text [characters] */
 
-/* What the wall clock may show beyond the time of the processor before it is said. */
+/* The wall-clock time over the processor time beyond which a warning is printed. */
 static const double BUSY = 1.1;
 
 struct qualify_page {
@@ -27,7 +27,7 @@ struct qualify_page {
     json_t *study;   /* the last of them, borrowed */
     const char *name;
     double began, used; /* by the wall, by the processor [s] */
-    int code;           /* of the first mistake */
+    int code;           /* of the first error */
 };
 
 static void note_mistake(qualify_page *g, int code)
@@ -143,7 +143,7 @@ void qualify_page_interrupted(qualify_page *g)
 
 /* ---- texts and tables ------------------------------------------------------------------------ */
 
-/* On standard output, in lines. */
+/* Prints a text on standard output, wrapped. */
 static void print_wrapped(const char *text)
 {
     size_t column = 0;

@@ -1,4 +1,4 @@
-/* plots.c: fmb-qualify plots and leaderboard: what Python makes of the CSV of an experiment. */
+/* plots.c: fmb-qualify plots and leaderboard: an experiment drawn by Python. */
 #include <argp.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "common/need.h"
 #include "fmb-qualify/render.h"
 
-/* What a script is given: where it puts what it makes, and files of CSV, as many as it takes. */
+/* The arguments of a script: its output, and files of CSV. */
 typedef struct wanted {
     const char *out;
     const char **arguments; /* [count, then NULL]: out, runs, runs ... */
@@ -55,7 +55,7 @@ static const char leaderboard_doc[] =
     "beside it, as fmb.lab.experiment of Python writes them, ranked without a time. Wrong answers "
     "disqualify. It needs Python with matplotlib, numpy and scipy.";
 
-/* What a script makes of the CSV goes to a place that has a usual name. */
+/* Run a script on the CSV; its output has a default name. */
 static int render(int argc, char **argv, const struct argp *whole_line, const char *script,
                   wanted w)
 {

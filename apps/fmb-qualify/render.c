@@ -1,5 +1,5 @@
-/* render.c: see render.h. The scripts lie beside this program, as it is built, or where it was
- * installed. */
+/* render.c: see render.h. The scripts are beside this program in a build folder, or in the
+ * installed data folder. */
 #include "fmb-qualify/render.h"
 
 #include <errno.h>
@@ -14,7 +14,7 @@
 
 enum { NOT_FOUND = 127, NOT_STARTED = 126 };
 
-/* [give, free()] NULL if it is nowhere. */
+/* [give, free()] NULL if it is not found. */
 static char *find_script(const char *name)
 {
     static const char *const PLACE[] = {"%s/%s", "%s/../share/fmb/%s"};
@@ -35,8 +35,8 @@ static char *find_script(const char *name)
     return path;
 }
 
-/* In a group of its own the child outlives a Ctrl-C that is meant for us: what is measured is to be
- * drawn. */
+/* In a process group of its own the child survives a Ctrl-C meant for us: the measured results are
+ * still drawn. */
 static _Noreturn void become_python(char **words)
 {
     setpgid(0, 0);

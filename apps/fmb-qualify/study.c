@@ -92,7 +92,7 @@ static void read_options(const char *doc, bool takes_file, int argc, char **argv
     argp_parse(&whole_line, argc, argv, 0, NULL, o);
 }
 
-/* What was not asked for is the usual. */
+/* Fills in the defaults of options that were not given. */
 static qualify_setup with_effort(const qualify_setup *asked, const qualify_effort *usual)
 {
     qualify_setup o = *asked;
@@ -109,7 +109,7 @@ static qualify_page *open_page(const qualify_setup *o)
     return qualify_page_open(writes ? o->out : NULL, writes && o->json);
 }
 
-/* All ranks hear whether rank 0 has its folder. */
+/* Tells all ranks whether rank 0 could make its folder. */
 static bool is_page_of_rank_0_good(const qualify_page *page)
 {
     bool good = qualify_page_is_good(page);
@@ -141,7 +141,7 @@ static int run_study(const qualify_study *s, const qualify_setup *asked,
     return code;
 }
 
-/* A Ctrl-C comes last. */
+/* The exit code: an error, else that of a Ctrl-C. */
 static int end(qualify_page *page, int code)
 {
     code = app_first_code(code, qualify_page_close(page));

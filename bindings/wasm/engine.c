@@ -1,6 +1,5 @@
-/* engine.c: what JavaScript cannot say of C: where the fields of structures lie, and a stream in
- * memory for the trace of a query. All else it calls as the headers have it.
- */
+/* engine.c: what JavaScript needs besides the C headers: the offsets of structure fields, and a
+ * memory stream for the trace of a query. It calls all other functions directly. */
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -100,7 +99,7 @@ static const place places[] = {
 };
 
 /* The i-th name, "fmb_result" for the size of that structure, "fmb_result.stop" for the offset of a
- * field; NULL past the end. And what it stands for. */
+ * field; NULL past the end. And its value. */
 EMSCRIPTEN_KEEPALIVE const char *engine_place_name(size_t i)
 {
     return i < sizeof places / sizeof *places ? places[i].name : NULL;
@@ -119,7 +118,7 @@ static struct {
     size_t length;
 } trace;
 
-/* Watch the queries of v from now on: one JSON object a line. False where memory runs out. */
+/* Trace the queries of v from now on: one JSON object a line. False if memory runs out. */
 EMSCRIPTEN_KEEPALIVE bool engine_trace_begin(fmb_solver *v)
 {
     trace.stream = open_memstream(&trace.text, &trace.length);
@@ -128,7 +127,7 @@ EMSCRIPTEN_KEEPALIVE bool engine_trace_begin(fmb_solver *v)
     return trace.stream != NULL;
 }
 
-/* [give, free] What was seen since; NULL where memory ran out. */
+/* [give, free] The trace since then; NULL if memory ran out. */
 EMSCRIPTEN_KEEPALIVE char *engine_trace_end(fmb_solver *v)
 {
     fmb_solver_set_sink(v, (fmb_sink){NULL, NULL});

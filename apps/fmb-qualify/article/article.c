@@ -16,7 +16,7 @@ static size_t count_wrong_of_ours(const article_cell *cell, size_t n)
     return wrong;
 }
 
-/* Those that are complete. */
+/* Reports the complete cells. */
 static int report_cells(article_cell *cell, qualify_page *page)
 {
     size_t n = 0;

@@ -12,24 +12,24 @@
 enum {
     REPEATED_PAIRS = 512,
     MOST_REPEATS = 1500, /* the article's, in the plane */
-    REPEATED_NS = 50000, /* a reading of the clock, of about 1000 ns at worst, is little of that */
-    MORE_PASSES = 8      /* of ours, which are so much shorter than those of the article's ways */
+    REPEATED_NS = 50000, /* one reading of the clock costs about 1000 ns at worst */
+    MORE_PASSES = 8      /* of ours, which are much shorter than the article's */
 };
 
-/* Everything that answers the pairs of a cell. */
+/* The pairs of a cell, and everything needed to answer them. */
 typedef struct bench {
     verdict_pool pool;
     verdict_rivals ours;
     study_article *listing;
     study_sat_records_meet *program;
-    study_sat_record *record[2]; /* [n] the pool's frames as the article's SAT has them */
+    study_sat_record *record[2]; /* [n] the pool's frames in the format of the article's SAT */
     fmb_frames *a, *b;           /* and ours */
     fmb_frames_pair *number;     /* [n] pair i: frame i of each */
     fmb_verdict *verdict;        /* [2][n] FMB, SAT */
     int repeats;
 } bench;
 
-/* One way over the pairs; self of study_timed. */
+/* One way over the pairs: the self of a study_timed. */
 typedef struct asker {
     bench *of;
     fmb_pair *k;
@@ -87,8 +87,7 @@ static size_t count_wrong_verdicts(const article_cell *cell, const fmb_verdict *
     return wrong;
 }
 
-/* FMB and SAT in turn, and nothing else between them: each finds in the caches what the other left
- * there. */
+/* FMB and SAT in turn, with nothing else between: each finds the caches as the other left them. */
 static fmb_status time_duel(bench *b, article_way way, const qualify_setup *o, article_cell *cell)
 {
     static fmb_status (*const RUN[ARTICLE_WAYS][2])(void *, size_t, size_t) = {
@@ -118,7 +117,7 @@ static fmb_status time_duel(bench *b, article_way way, const qualify_setup *o, a
     return st;
 }
 
-/* What way took for a query of a group, the median of the passes [ns]. */
+/* The time of way for a query of a group, the median of the passes [ns]. */
 static double median_of_passes(const study_clock *c, int repeats, size_t way, size_t group)
 {
     double x[STUDY_CLOCK_MOST_PASSES];

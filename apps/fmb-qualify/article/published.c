@@ -1,4 +1,4 @@
-/* published.c: what the article has found. */
+/* published.c: the figures of the article. */
 #include "fmb-qualify/article/article.h"
 
 /* [2D, 3D static, 2D, 3D dynamic][CC, CT, TT][apart, meeting]: Baillehache 2020, Table 1. */

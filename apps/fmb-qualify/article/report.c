@@ -87,7 +87,7 @@ static choice choose_between(const article_cell *cell, size_t kinds, article_way
     return (choice){sum.fmb / all, sum.sat / all, sum.by_kind / all, sum.by_verdict / all};
 }
 
-/* Pair by pair, of those that were repeated. */
+/* The faster way pair by pair, on the repeated pairs. */
 static double best_of_each_pair(const article_cell *cell, size_t cells)
 {
     double fmb = 0, sat = 0, best = 0;

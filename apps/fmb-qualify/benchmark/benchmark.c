@@ -129,7 +129,7 @@ static void put_text(FILE *f, const void *what)
     fputs(what, f);
 }
 
-/* The manifest comes last: where it is, everything is. */
+/* The manifest is written last: if it exists, the folder is complete. */
 static int make_folder(const plan *p, fmb_solver *v)
 {
     char *text = NULL;

@@ -1,5 +1,5 @@
-/* boxes.c: how much larger than the common points is the box that one is given, and what does it
- * cost? Over meeting pairs of the article's generator. */
+/* boxes.c: how much larger than the tight box of the common points are the computed boxes, and what
+ * do they cost? On meeting pairs of the article's generator. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -13,7 +13,7 @@ typedef struct boxes_class {
     const char *name;
     int dim;
     bool moves;
-    size_t share; /* of the pairs: one in so many */
+    size_t share; /* one in `share` of the pairs is measured */
 } boxes_class;
 
 static const boxes_class CLASS[] = {{"2d-static", 2, false, 1},
@@ -37,7 +37,7 @@ static const char *const TITLE[BOXES_KINDS] = {
 typedef struct boxes_report {
     const qualify_setup *setup;
     json_t *sizes, *quantiles, *times;
-    size_t wrong; /* boxes of ours that do not hold the exact one, or are too large */
+    size_t wrong; /* our boxes that do not hold the exact one, or are too large */
 } boxes_report;
 
 /* ---- sizes ----------------------------------------------------------------------------------- */
@@ -60,7 +60,7 @@ static void add_size(boxes_report *r, const boxes_class *c, const boxes_sizes *s
     app_json_append(r->sizes, obj);
 }
 
-/* Once the ratios are sorted. */
+/* The ratios must be sorted. */
 static void add_quantiles(boxes_report *r, const boxes_class *c, const boxes_sizes *s)
 {
     enum { STEPS = 100 };

@@ -39,7 +39,7 @@ fmb_status boxes_draw(int dim, bool moves, uint64_t seed, size_t n, study_pairs 
 
 /* ---- sizes ----------------------------------------------------------------------------------- */
 
-/* What is asked, and of one pair all boxes. */
+/* The ways to find boxes, and all boxes of one pair. */
 typedef struct sizing {
     fmb_pair *tightest, *usual;
     study_article *article;
@@ -76,7 +76,7 @@ static void copy_box(const double (*from)[2], int dim, double *to)
     }
 }
 
-/* Where the article finds no common point, its boxes are empty. */
+/* If the article finds no common point, its boxes are empty. */
 static fmb_status ask_article(sizing *z, const fmb_frame *p, const fmb_frame *q)
 {
     static const boxes_kind WORLD[2] = {BOXES_ARTICLE, BOXES_MENDED},

@@ -11,7 +11,7 @@
 
 enum { RINGS = 186, SPOKES = 188 };
 
-/* In metres, as scans are. */
+/* In metres, like scans. */
 static void put_point_of_ball(int ring, int spoke, double *p)
 {
     double u = M_PI * (ring + 0.5) / RINGS, v = 2 * M_PI * spoke / SPOKES;

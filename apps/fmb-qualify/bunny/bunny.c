@@ -1,6 +1,6 @@
 /* bunny.c: the article's study: which faces of a scan, a unit thick, meet its mirror image? By
- * trees of boxes, and by all pairs, of which some faces against all are timed and the rest is
- * concluded. */
+ * trees of boxes, and by all pairs: some faces against all others are timed, and the total is
+ * extrapolated. */
 #include <string.h>
 
 #include <fmb/frames.h>
@@ -29,7 +29,7 @@ static bool tell_bunny_progress(void *self, double done)
     return qualify_watch_step_within(NULL, (size_t)(done * 1000), 1000);
 }
 
-/* Frames, their corners and trees; then what meets. */
+/* Frames, their corners and trees; then the meeting pairs. */
 static fmb_status ask_by_trees(bunny_study *s, const fmb_mesh *m)
 {
     const fmb_mesh_options o = {
@@ -77,13 +77,13 @@ static fmb_status ask_face(bunny_study *s, fmb_pair *k, size_t i, const fmb_fram
     return st;
 }
 
-/* The hit whose face of A is asked as number r of `rows` such faces. */
+/* The hit whose face of A is number r of `rows` sampled faces. */
 static size_t sampled_hit(const fmb_mesh_answer *answer, size_t r, size_t rows)
 {
     return answer->hit[r * answer->hits / rows % answer->hits].a;
 }
 
-/* Row r < rows: faces of A spread evenly, which are timed; from there on those that meet. */
+/* Row r < rows: evenly spread faces of A, which are timed; then sampled meeting faces. */
 static fmb_status ask_row(bunny_study *s, fmb_pair *k, size_t r, size_t rows,
                           const fmb_frames *const set[2], fmb_verdict *v)
 {
@@ -97,8 +97,8 @@ static fmb_status ask_row(bunny_study *s, fmb_pair *k, size_t r, size_t rows,
     return r >= s->answer.hits || again ? FMB_OK : ask_face(s, k, i, set, v, &untimed);
 }
 
-/* So many faces of A that there are as many pairs as asked for; and of those that meet at most as
- * many again. Ranks share them. */
+/* As many faces of A as give the requested number of pairs, and at most as many meeting faces.
+ * Ranks share them. */
 static fmb_status ask_some_faces(bunny_study *s, fmb_pair *k, const fmb_frames *const set[2])
 {
     size_t n = s->a.faces, rows = s->setup->pairs / (s->b.faces + 1) + 1;
@@ -115,7 +115,7 @@ static fmb_status ask_some_faces(bunny_study *s, fmb_pair *k, const fmb_frames *
     return st;
 }
 
-/* On rank 0: of all ranks. */
+/* On rank 0: the sums over all ranks. */
 static void collect_sums(bunny_study *s)
 {
     uint64_t sum[3] = {s->sampled, s->wrong, (uint64_t)(1e9 * s->pair_seconds)};
@@ -171,7 +171,7 @@ static json_t *list_meeting_faces(const fmb_mesh_answer *answer, size_t faces, b
     return list;
 }
 
-/* The faces for the picture, a corner a line; what meets of them is in the object. */
+/* The faces for the picture, one corner a line; the meeting ones are in the JSON object. */
 static void put_faces(FILE *f, const void *of)
 {
     const bunny_body *b = of;

@@ -1,6 +1,6 @@
 /* bias.c: fmb-qualify bias: is the clock fair? The same rules take part twice, and are timed
- * against each other as two ways of an experiment are, time and again on other systems. The
- * interval of the ratio has to hold 1 about as often as it says it does. */
+ * against each other like two ways of an experiment, again and again on other systems. The interval
+ * of the ratio must contain 1 about as often as its confidence level says. */
 #include <argp.h>
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@ typedef struct trials {
     bool quiet;
 } trials;
 
-/* The times of both, of all systems that both decided [s]. */
+/* The times of both, on all systems that both decided [s]. */
 typedef struct times {
     double *first, *second;
     size_t size;
@@ -25,7 +25,7 @@ typedef struct times {
 enum { SEEDS = 3 }; /* of a block, as in the benchmark */
 
 /* [give, qualify_experiment_clear] The smallest systems of all families, others each time. Other
- * rules take part: what runs before one of the two must not be always the same. */
+ * rules take part, so that not always the same way runs before one of the two. */
 static int make_plan(const trials *t, int repetition, qualify_experiment *e)
 {
     int seed = SEEDS * repetition;

@@ -19,7 +19,7 @@ size_t qualify_block_size(const qualify_experiment *e, size_t block)
 
 /* ---- systems --------------------------------------------------------------------------------- */
 
-/* What *s becomes takes its place, unless that failed. */
+/* Replaces *s by its successor, unless that failed. */
 static void replace(fmb_system **s, fmb_status st, fmb_system *const *by)
 {
     if (st != FMB_OK)
@@ -94,7 +94,7 @@ int qualify_block_run(const qualify_experiment *e, size_t block, study_grid *g)
                       .ways = e->ways,
                       .passes = e->passes,
                       .projects = e->projects,
-                      .turn = block + block / e->ways, /* another one for the same size, too */
+                      .turn = block + block / e->ways, /* varies for the same size, too */
                       .step = go_on,
                       .running = qualify_watch_solver()};
     int code = make_sample(e, &e->block[block], g);
@@ -130,8 +130,7 @@ static const char *outcome_text(study_outcome outcome)
     return TEXT[outcome];
 }
 
-/* Rows alive after each round: "12 30 25", and "..." where there were more rounds than are noted.
- */
+/* Rows alive after each round: "12 30 25", and "..." if there were more rounds than recorded. */
 static void write_rounds(const study_run *r, FILE *f)
 {
     for (size_t i = 0; i < r->rounds && i < STUDY_MOST_ROUNDS; i++)
@@ -180,8 +179,8 @@ static bool is_wrong(const study_run *r)
     return r->outcome == STUDY_WRONG || r->solved == STUDY_WRONG;
 }
 
-/* Of the wrong answers of a way in this block the first: the system that shows it, its rows with
- * semicolons between. */
+/* The minimal system of the first wrong answer of a way in this block, its rows separated by
+ * semicolons. */
 static void write_system(const qualify_experiment *e, const study_grid *g, size_t item, size_t way,
                          FILE *f)
 {

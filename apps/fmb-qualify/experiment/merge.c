@@ -1,5 +1,4 @@
-/* merge.c: fmb-qualify merge: the shards of an experiment as one file, its blocks in their order.
- */
+/* merge.c: fmb-qualify merge: merges the shards of an experiment into one file, blocks in order. */
 #include <argp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,14 +30,14 @@ static void put_line(pile *p, char *text, long block)
     p->size++;
 }
 
-/* The number behind the first comma; 0 where there is none. */
+/* The number after the first comma; 0 if there is none. */
 static long block_of(const char *text)
 {
     const char *comma = strchr(text, ',');
     return comma ? strtol(comma + 1, NULL, 10) : 0;
 }
 
-/* Lines of one plan, none torn. */
+/* Are all lines whole, and of one plan? */
 static bool fits(const pile *p, const char *text, size_t n)
 {
     size_t name = strcspn(text, ",");
@@ -74,7 +73,7 @@ static int by_block(const void *a, const void *b)
     return order ? order : (x->place > y->place) - (x->place < y->place);
 }
 
-/* The lines of a block come from one place. */
+/* Prints the blocks; all lines of a block must be from one file. */
 static int print(pile *p)
 {
     qsort(p->line, p->size, sizeof *p->line, by_block);

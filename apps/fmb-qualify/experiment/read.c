@@ -8,8 +8,8 @@
 #include "fmb-qualify/rules/plan.h"
 #include "study/benchmark/benchmark.h"
 
-/* What a plan may say, and what it says where it does not. Lists of words and of numbers from least
- * to most; a family "all" is all of them. */
+/* The keys of a plan and their defaults. Lists of words, and of numbers from least to most; the
+ * family "all" means all families. */
 typedef struct key {
     const char *name, *usual; /* JSON */
     json_type item;           /* of the list */
@@ -43,7 +43,7 @@ static bool is_in_range(const key *k, const json_t *item)
            (k->item == JSON_STRING || (n >= k->least && n <= k->most));
 }
 
-/* The list is there, and is what it has to be. */
+/* Requires the list, of the right type and range; fills in its default. */
 static int need_list(const char *path, json_t *plan, const key *k)
 {
     size_t i;
@@ -61,7 +61,7 @@ static int need_list(const char *path, json_t *plan, const key *k)
                          k->item == JSON_STRING ? "a list of words" : "a list of numbers in range");
 }
 
-/* Nothing is said that means nothing. */
+/* Refuses unknown keys. */
 static int need_known_keys(const char *path, json_t *plan)
 {
     static const char *const OTHER[] = {"question", "limits",       "passes",
@@ -99,7 +99,7 @@ static size_t count_of(const qualify_experiment *e, const char *name)
 
 /* ---- blocks ---------------------------------------------------------------------------------- */
 
-/* Dressed as each of the digits and densities say. */
+/* Adds the block with each number of digits and each density. */
 static void add_blocks(qualify_experiment *e, qualify_block b)
 {
     for (size_t d = 0; d < count_of(e, "digits"); d++)
@@ -158,7 +158,7 @@ static int add_way(qualify_experiment *e, qualify_way_names names)
     return code;
 }
 
-/* Rules and orders are those of elimination: another method is one way. */
+/* Rules and orders concern elimination only: another method is a single way. */
 static int add_ways(const char *path, qualify_experiment *e, const char *method,
                     const char *evidence)
 {

@@ -1,4 +1,4 @@
-/* run.c: fmb-qualify run: an experiment, from where its file of CSV ends. */
+/* run.c: fmb-qualify run: runs an experiment, from the end of its CSV file on. */
 #include <argp.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -44,11 +44,11 @@ static int run_block(const qualify_experiment *e, size_t block, FILE *f, uint64_
     return code;
 }
 
-/* How long one of several ranks works until its lines are fetched [s]: a kill costs that at most.
- * One alone writes after each block. */
+/* With several ranks, the time between collections of lines [s]: a kill loses at most that. A
+ * single rank writes after each block. */
 static const double SLICE_SECONDS = 5;
 
-/* Blocks that this rank takes from those that are left: at least one, if there is one. */
+/* Runs some of the remaining blocks on this rank: at least one, if any. */
 static int run_slice(const order_to_run *o, const qualify_experiment *e, const bool *done, FILE *f,
                      uint64_t *wrong)
 {
@@ -68,7 +68,7 @@ static int run_slice(const order_to_run *o, const qualify_experiment *e, const b
     return code;
 }
 
-/* Written at once: what a kill leaves behind is one block at most that is not whole. */
+/* Flushed at once: after a kill at most one block is incomplete. */
 static int write_lines(const char *text, size_t n, FILE *f)
 {
     return fwrite(text, 1, n, f) == n && fflush(f) == 0 && fsync(fileno(f)) == 0
@@ -76,7 +76,7 @@ static int write_lines(const char *text, size_t n, FILE *f)
                : app_error(APP_CANNOT_WRITE, "%s", strerror(errno));
 }
 
-/* The lines of all ranks come to the first one, who writes them; none: all is done. */
+/* The first rank collects and writes the lines of all ranks; no lines: all is done. */
 static int collect_lines(const char *text, size_t n, FILE *f, bool *goes_on)
 {
     size_t all = 0;
@@ -88,7 +88,7 @@ static int collect_lines(const char *text, size_t n, FILE *f, bool *goes_on)
     return code;
 }
 
-/* f is NULL but for the first rank. */
+/* f is NULL except on the first rank. */
 static int run_blocks(const order_to_run *o, const qualify_experiment *e, const bool *done, FILE *f)
 {
     uint64_t wrong = 0;
@@ -111,7 +111,7 @@ static int run_blocks(const order_to_run *o, const qualify_experiment *e, const 
                           : APP_YES;
 }
 
-/* [give] The file, cut where its last whole block ends. */
+/* [give] The file, truncated to its last complete block. */
 static int open_results(const char *path, long end, FILE **out)
 {
     FILE *f = fopen(path, end > 0 ? "r+b" : "wb");
@@ -123,7 +123,7 @@ static int open_results(const char *path, long end, FILE **out)
     return APP_YES;
 }
 
-/* What the first rank finds of an earlier run, and where it writes; the others hear of it. */
+/* The first rank reads the state of an earlier run and opens the file; all get the state. */
 static int begin(const order_to_run *o, const qualify_experiment *e, bool *done, FILE **f)
 {
     long end;
@@ -155,7 +155,7 @@ static int run(const order_to_run *o, const qualify_experiment *e)
     return code;
 }
 
-/* All ranks read the plan; of its mistakes the first one tells. */
+/* All ranks read the plan; only the first reports its errors. */
 static int read_and_run(const order_to_run *o)
 {
     qualify_experiment e = {0};

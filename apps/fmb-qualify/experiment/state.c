@@ -1,4 +1,4 @@
-/* state.c: see state.h. Lines of a block follow each other. */
+/* state.c: see state.h. The lines of a block are consecutive. */
 #include "fmb-qualify/experiment/state.h"
 
 #include <errno.h>
@@ -7,7 +7,7 @@
 
 #include "common/message.h"
 
-/* The block of a line of this experiment, from 0; -1: it is none. */
+/* The block of a line of this experiment, from 0; -1 for any other line. */
 static long block_of(const qualify_experiment *e, const char *line)
 {
     size_t n = strlen(e->name);

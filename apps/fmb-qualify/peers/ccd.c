@@ -1,5 +1,5 @@
-/* ccd.c: libccd's GJK and MPR on support functions: the farthest point of a frame is that of its
- * corners, axis by axis for a cuboid. */
+/* ccd.c: libccd's GJK and MPR on support functions: the support point of a frame is the farthest of
+ * its corners, found axis by axis for a cuboid. */
 #include <ccd/ccd.h>
 #include <stdlib.h>
 

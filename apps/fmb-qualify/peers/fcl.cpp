@@ -59,7 +59,7 @@ fmb_status open_own(const peer_work *w, void **self)
     return open_fcl(w, fcl::GJKSolverType::GST_INDEP, self);
 }
 
-/* What FCL gives up on, by an exception, stays unknown. */
+/* If FCL gives up by an exception, the verdict is unknown. */
 fmb_verdict collide(const state &s, size_t i)
 {
     static const fcl::Transform3<double> here = fcl::Transform3<double>::Identity();

@@ -68,7 +68,7 @@ void peer_hull_of(const fmb_frame *f, peer_hull *out)
 
 void peer_box_of(const fmb_frame *f, peer_box *out)
 {
-    double hand = determinant(f->axes) < 0 ? -1 : 1; /* an axis may point the other way */
+    double hand = determinant(f->axes) < 0 ? -1 : 1; /* a reflected frame needs one axis reversed */
     peer_centre(f, out->centre);
     for (int k = 0; k < 3; k++) {
         const double *a = f->axes + 3 * k;

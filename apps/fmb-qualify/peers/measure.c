@@ -41,7 +41,7 @@ static fmb_status ask_exactly(fmb_pair *k, const fmb_frame *p, const fmb_frame *
 
 /* ---- times ----------------------------------------------------------------------------------- */
 
-/* Gram and Schmidt: right angles, but for rounding; the first axis stays. */
+/* Gram-Schmidt: right angles, up to rounding; the first axis is unchanged. */
 static void make_right_angles(int dim, double *axes)
 {
     for (int k = 1; k < dim; k++)
@@ -77,7 +77,7 @@ static fmb_status draw_class(int kind, bool meets, uint64_t seed, size_t n, verd
     return st;
 }
 
-/* A driver under the clock. */
+/* A driver while it is timed. */
 typedef struct runner {
     const peer_driver *driver;
     void *self;
@@ -97,7 +97,7 @@ static void close_all(runner *r, size_t ways)
             r[i].driver->close(r[i].self);
 }
 
-/* Drivers that take this kind, open, in their order; which[] are their numbers. */
+/* Opens the drivers that take this kind, in their order; which[] are their numbers. */
 static fmb_status open_all(const peer_driver *const *driver, size_t drivers, int kind,
                            const peer_work *w, runner *r, size_t *which, size_t *ways)
 {
@@ -179,7 +179,7 @@ int peers_time(const peer_driver *const *driver, size_t drivers, int kind, bool 
 
 /* ---- right or wrong -------------------------------------------------------------------------- */
 
-/* Frames with a volume: what others are made for. */
+/* Frames with a volume: others need them. */
 static bool is_solid(void *self, const fmb_frame *p, const fmb_frame *q)
 {
     study_rows s;

@@ -1,6 +1,6 @@
 /* ode.c: ODE's dCollide on convex geoms, for one contact, as it has no test without contacts. Its
- * dBoxBox is asked about cuboids with right angles alone. ODE wants the origin of
- * a geom inside of it, so a geom stands at the frame's centre. */
+ * dBoxBox takes only cuboids with right angles. ODE needs the origin of a geom inside it, so a geom
+ * is placed at the frame's centre. */
 #include <fcntl.h>
 #include <math.h>
 #include <ode/ode.h>
@@ -68,8 +68,8 @@ static void make_body(const fmb_frame *f, ode_body *out)
     dGeomSetPosition(out->geom, (dReal)centre[0], (dReal)centre[1], (dReal)centre[2]);
 }
 
-/* ODE prints warnings about thin geoms to standard output: send that elsewhere for a while. Returns
- * what hear() takes, -1 if it cannot be done. */
+/* ODE prints warnings about thin geoms to standard output: redirect them for a while. Returns the
+ * argument of hear(), -1 on failure. */
 static int hush(void)
 {
     fflush(stdout);

@@ -1,4 +1,4 @@
-/* peers.c: others on the same static pairs in three dimensions: how fast, and how often wrong? */
+/* peers.c: other libraries on the same static pairs in 3D: how fast, and how often wrong? */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "fmb-qualify/peers/measure.h"
 #include "fmb-qualify/share.h"
 
-/* Driver 0 is what the others are measured by. */
+/* Times are relative to driver 0. */
 static const peer_driver *const DRIVER[] = {
     &peer_fmb,     &peer_sat,
 #ifdef QUALIFY_CCD
@@ -27,7 +27,7 @@ enum { DRIVERS = sizeof DRIVER / sizeof *DRIVER, CELLS = 2 * PEERS_KINDS };
 static const char *const CELL[CELLS] = {"CC meet", "CC apart", "CT meet",    "CT apart",
                                         "TT meet", "TT apart", "boxes meet", "boxes apart"};
 
-/* What each cell of the study came to: times of a cell of pairs, or faults of a family. */
+/* The results of a cell: times of a kind of pairs, or faults of a family. */
 typedef struct peers_cell {
     peers_times times;
     peers_faults faults;
@@ -173,7 +173,7 @@ static int measure_cell(size_t i, const qualify_setup *o, peers_cell *cell)
     return peers_judge(DRIVER, DRIVERS, peers_family[i - CELLS], o, &cell->faults);
 }
 
-/* Is it for this rank to report? */
+/* Runs all cells; true on the rank that reports. */
 static bool measure_all(peers_report *r, const qualify_setup *o, int *code)
 {
     peers_cell *cell = app_need(calloc(CELLS + PEERS_FAMILIES, sizeof *cell));

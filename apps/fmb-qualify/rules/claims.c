@@ -1,5 +1,5 @@
-/* claims.c: from which D on each set of rules saves rows, and from which D it pays in time; and
- * what the article says of that.
+/* claims.c: from which D on each set of rules saves rows, and from which D it pays in time;
+ * compared with the article's claims.
  *
  * Saves: fewer rows than without rules, in this D and all larger ones. Pays: the median of the time
  * ratios is below 1 and a sign test would call it chance in fewer than 1 of 20 studies.

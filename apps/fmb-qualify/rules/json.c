@@ -16,7 +16,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/* By name, so that the order in which rules were met does not matter. */
+/* By name, so that the order in which rules first appeared does not matter. */
 static json_t *dropped_json(const qualify_plan *p, const study_digest *d)
 {
     const char *name[STUDY_MOST_NAMES];
@@ -97,7 +97,7 @@ static void add_class(void *self, const qualify_plan *p, const qualify_select *w
     }
 }
 
-/* Ways that cannot work there are left out. */
+/* Leaves out the ways that refuse these systems. */
 static void add_line(void *self, const qualify_plan *p, const qualify_select *which)
 {
     json_t *study = self;

@@ -89,7 +89,7 @@ static void use_kind(const char *word, struct argp_state *state)
     p->kind[k / 2][k % 2] = true;
 }
 
-/* Each word is an order; what it means is found out when the rule library is open. */
+/* Each word is an order; it is looked up after the rule library is loaded. */
 static void use_orders(qualify_plan *p, const char *words, struct argp_state *state)
 {
     char *rest, *word;
@@ -188,7 +188,7 @@ static error_t parse_ways(int key, char *arg, struct argp_state *state)
     }
 }
 
-/* What another run needs to study the same. */
+/* Records the arguments with which another run repeats the study. */
 static void note_argument(qualify_plan *p, int key, const char *arg)
 {
     enum { LAST_GROUP = 3 };

@@ -9,7 +9,7 @@
 #include "common/parts.h"
 #include "fmb-qualify/rules/files.h"
 
-/* Rules alone and the mixes that make sense: histories with each other and with the box. */
+/* Single rules and the useful combinations: history rules with each other and with the box. */
 static const char *const SETS[] = {
     "duplicate",  "dominated", "kohler",     "chernikov",     "imbert",
     "box",        "lp",        "kohler,box", "chernikov,box", "kohler,chernikov,box",
@@ -48,8 +48,8 @@ static void add_set(qualify_plan *p, const char *words)
         p->set[p->sets++] = words;
 }
 
-/* `none` in front of the sets that were asked for; else those that make sense, and each rule of
- * one's own. */
+/* `none` before the requested sets; by default the useful ones, and each rule of the user's
+ * library. */
 static void make_sets(qualify_plan *p)
 {
     const char *asked[PLAN_MOST_SETS];
@@ -142,7 +142,7 @@ int qualify_plan_make(qualify_plan *p)
     return code;
 }
 
-/* Runs of which something is true. */
+/* The number of runs with a property. */
 static size_t count_runs(const qualify_plan *p, bool (*is)(const study_run *r))
 {
     const study_grid *g = &p->grid;

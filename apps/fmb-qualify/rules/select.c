@@ -1,4 +1,4 @@
-/* select.c: which systems a line of a report is about. */
+/* select.c: the systems of each line of a report. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,7 +65,7 @@ static qualify_select line_of(const study_sample *s, bool detail)
     return (qualify_select){c->dim, c->moves, ANY, ANY, NULL};
 }
 
-/* Samples of one line follow each other: a new line begins where it changes. */
+/* The samples of a line are consecutive: a new line begins where line_of changes. */
 void qualify_each(const qualify_plan *p, bool detail, void *self,
                   void (*use)(void *self, const qualify_plan *p, const qualify_select *which))
 {

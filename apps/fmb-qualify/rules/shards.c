@@ -1,7 +1,7 @@
-/* shards.c: a run in parts: what each leaves, and all of them together.
+/* shards.c: a run in parts: the file of each part, and their merge.
  *
- * A part holds what was asked for ("arguments"), how many systems each sample has ("sizes"), which
- * ways there are ("known") and its runs, a list of numbers each:
+ * A part holds its options ("arguments"), the number of systems in each sample ("sizes"), the
+ * existing ways ("known") and its runs, a list of numbers each:
  *   sample, item, way, outcome, stop, verdict, pairs, made, kept, lived, peak, held, solved,
  *   seconds, rows dropped by each rule.
  */
@@ -101,7 +101,7 @@ static bool read_run(study_grid *g, json_t *from)
     return true;
 }
 
-/* Samples of nothing, of the sizes that the parts agree on; room for their runs. */
+/* Empty samples, of the sizes on which the parts agree, with room for their runs. */
 static bool make_room(study_grid *g, const json_t *part)
 {
     const json_t *sizes = json_object_get(part, "sizes"), *known = json_object_get(part, "known");
@@ -134,7 +134,7 @@ static bool add_runs(study_grid *g, const json_t *part)
     return good;
 }
 
-/* The plan that the parts were made by. */
+/* Parses the common arguments of the parts into a plan. */
 static void parse_again(const json_t *arguments, qualify_plan *out)
 {
     size_t n = json_array_size(arguments);

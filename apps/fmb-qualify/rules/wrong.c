@@ -1,4 +1,4 @@
-/* wrong.c: the first wrong answer of a study, and the system that shows it, as small as it gets. */
+/* wrong.c: the first wrong answer of a study, and a minimal system that shows it. */
 #include "study/grid/wrong.h"
 
 #include <stdlib.h>

@@ -9,9 +9,9 @@
 #include "study/rivals/aabb.h"
 
 enum {
-    PILOTS = 256,   /* pairs on which the distance is tried */
+    PILOTS = 256,   /* pairs to calibrate the distance */
     HALVINGS = 10,  /* of that distance */
-    LP_PAIRS = 256, /* programs that are held at once */
+    LP_PAIRS = 256, /* programs in memory at once */
 };
 
 static const double allowed = 1e-12; /* beyond the exact end, of the largest coordinate */
@@ -24,8 +24,7 @@ typedef struct placed {
     fmb_verdict *verdict; /* [n] */
 } placed;
 
-/* Pairs that are eliminated exactly for the count of rows, or asked for boxes: fewer where that
- * takes long. */
+/* The number of pairs for exact elimination and for boxes: fewer where that takes long. */
 static size_t some_of(const placed *g)
 {
     size_t some = (size_t)512 >> g->drawn.p[0].dim;
@@ -45,7 +44,8 @@ static void centre(const fmb_frame *f, double *out)
     }
 }
 
-/* Put the second frames so that centres are `times` as far apart as origins were drawn. */
+/* Move the second frames so that the distance of centres is `times` the drawn distance of origins.
+ */
 static void put_at(placed *g, const double *away, size_t n, double times)
 {
     size_t dim = (size_t)g->drawn.p[0].dim;
@@ -74,7 +74,7 @@ static size_t count_meeting(const placed *g, size_t n)
     return meeting;
 }
 
-/* Frames with the same centre meet, and far ones do not: halve in between. */
+/* Frames with the same centre meet, and far ones do not: bisect. */
 static fmb_status find_distance(placed *g, const double *away, double *times)
 {
     size_t n = g->drawn.n < PILOTS ? g->drawn.n : PILOTS;
@@ -160,7 +160,7 @@ static fmb_status check_verdicts(const placed *g, scaling_cell *out)
     return st;
 }
 
-/* Does the usual box hold the exact one, and reach out no further than it may? */
+/* Does the default box hold the exact one, and exceed it by no more than allowed? */
 static fmb_status check_box(const placed *g, fmb_pair *tightest, size_t i, bool *good)
 {
     const fmb_frame *p = &g->drawn.p[i], *q = &g->drawn.q[i];

@@ -1,4 +1,4 @@
-/* scaling.c: what do more dimensions cost? */
+/* scaling.c: the cost of more dimensions. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -104,7 +104,7 @@ static void report_tables(const scaling_report *r, qualify_page *page)
 
 /* ---- the study ------------------------------------------------------------------------------- */
 
-/* Half as many in each further dimension. */
+/* The number of pairs: half as many in each further dimension. */
 static size_t pairs_of(const qualify_setup *o, int d)
 {
     size_t n = o->pairs >> d;
@@ -122,7 +122,7 @@ static int measure_cell(size_t i, const qualify_setup *o, scaling_cell *out)
     return scaling_measure(&c, o, pairs_of(o, d), out);
 }
 
-/* Is it for this rank to report? */
+/* Runs all cells; true on the rank that reports. */
 static bool measure_all(scaling_report *r, const qualify_setup *o, int *code)
 {
     scaling_cell cell[2 * KINDS * DIMS] = {0};

@@ -1,4 +1,4 @@
-/* cells.c: see cells.h. The curve is Morton's: bits of the coordinates in turn (Morton 1966). */
+/* cells.c: see cells.h. The curve interleaves the bits of the coordinates (Morton 1966). */
 #include "fmb-qualify/verdicts/cells.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ static void put_cell(const verdict_cells *c, size_t i, const verdict_draft *f)
     verdict_make_thick(f->axes, c->edge);
 }
 
-/* Of a number from -100 to 100: one of n. */
+/* One of n, chosen by a number from -100 to 100. */
 static size_t choose_by_number(double x, size_t n)
 {
     size_t i = (size_t)((x + 100) / 200 * (double)n);
@@ -93,7 +93,7 @@ static void find_bounds(const fmb_mesh *m, double lower[3], double *size)
     }
 }
 
-/* False: it has no area. edges grows by the lengths of its three. */
+/* False: it has no area. Adds the lengths of its edges to *edges. */
 static bool put_triangle(const fmb_mesh *m, size_t cell, const double lower[3], double size,
                          cell_on_curve *out, double *edges)
 {

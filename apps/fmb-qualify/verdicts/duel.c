@@ -126,7 +126,7 @@ static study_spread of_one(study_spread s)
     return (study_spread){s.least / WARM_REPEATS, s.median / WARM_REPEATS, s.most / WARM_REPEATS};
 }
 
-/* As the article measures: the same pair again and again, a pair a group. */
+/* As in the article: the same pair again and again, one pair in each group. */
 static fmb_status run_warm(const verdict_pool *pool, const qualify_setup *o,
                            const verdict_rivals *r, fmb_verdict *verdict, verdict_duel *d)
 {

@@ -1,4 +1,4 @@
-/* mix.c: FMB over SAT as more and more of the pairs meet; see duel.h. */
+/* mix.c: FMB over SAT by the share of meeting pairs; see duel.h. */
 #include <stdlib.h>
 
 #include <gsl/gsl_randist.h>
@@ -31,7 +31,7 @@ static void sequence_close(sequence *s)
     free(s->meets);
 }
 
-/* step tenths of the pairs meet, at places that nothing can foresee. */
+/* step tenths of the pairs meet, at random places. */
 static void sequence_fill(sequence *s, const verdict_pool *pool, int step, gsl_rng *g)
 {
     size_t used[2] = {0, 0};

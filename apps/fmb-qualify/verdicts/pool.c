@@ -51,7 +51,7 @@ static fmb_frame copy_frame(const fmb_frame *f, double *number)
     return out;
 }
 
-/* The frame's numbers, which lie in memory of the caller's own. */
+/* The frame's numbers, in writable memory of the caller. */
 static verdict_draft numbers_of(const fmb_frame *f, double *memory)
 {
     return (verdict_draft){memory + (f->origin - memory), memory + (f->axes - memory),
@@ -73,7 +73,7 @@ static bool choose(void *self, const fmb_frame *p, const fmb_frame *q)
     fmb_frame a = copy_frame(p, number[0]), b = copy_frame(q, number[1]);
     fmb_verdict verdict = FMB_UNKNOWN;
     if (c->st != FMB_OK || qualify_watch_interrupted())
-        return true; /* to come to an end */
+        return true; /* so that the search ends */
     reshape_pair(c->from, &a, number[0], &b, number[1]);
     if (c->from->near && !boxes_meet(&a, &b))
         return false;

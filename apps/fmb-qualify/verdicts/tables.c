@@ -16,7 +16,7 @@ static json_t *times_json(study_spread fmb, study_spread sat, study_ratio over)
     return obj;
 }
 
-/* Cells hold what both ways took for the pairs in one call; within them the other ways to ask. */
+/* A cell has the times of both for all pairs in one call, and within it those of other calls. */
 static json_t *cell_json(const verdict_duel *d)
 {
     json_t *obj = json_object(), *times = times_json(d->fmb, d->sat, d->fmb_sat),

@@ -1,4 +1,4 @@
-/* verdicts.c: see verdicts.h; and the studies made of it. */
+/* verdicts.c: see verdicts.h; and the studies that use it. */
 #include "fmb-qualify/verdicts/verdicts.h"
 
 #include <math.h>
@@ -120,7 +120,7 @@ static int run_touching(const qualify_setup *o, qualify_page *page)
                              ALL_CASES, o, page);
 }
 
-/* One axis in its length, the others a fiftieth of it; origins near one another. */
+/* One axis keeps its length, the others become a fiftieth; origins move closer. */
 static void make_slender(const void *self, int dim, const verdict_draft f[2])
 {
     (void)self;

@@ -1,5 +1,5 @@
-/* missing.c: what the command asks for and the C library of Emscripten lacks, or cannot do with the
- * files of Node. */
+/* missing.c: functions that the command needs and the C library of Emscripten lacks, or cannot do
+ * with the files of Node. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <poll.h>
@@ -8,22 +8,22 @@
 #include <sys/mman.h>
 #include <time.h>
 
-/* Its own name, in messages. */
+/* Sets the program's name for messages. */
 __attribute__((constructor)) static void name_program(void)
 {
     static char name[] = "fmb";
     program_invocation_name = program_invocation_short_name = name;
 }
 
-/* Standard output goes out in blocks of 64 KiB, as many as a pipe of Linux holds: a reader that wants
- * the first line alone does not end the command before it has written its files. */
+/* Buffers standard output in blocks of 64 KiB, the size of a pipe in Linux: a reader that closes
+ * after the first line does not end the command before it has written its files. */
 __attribute__((constructor)) static void widen_output(void)
 {
     static char block[1 << 16];
     setvbuf(stdout, block, _IOFBF, sizeof block);
 }
 
-/* Nobody waits: reads do. */
+/* Never waits: the reads themselves block. */
 int poll(struct pollfd *fds, nfds_t n, int patience)
 {
     (void)patience;
@@ -39,7 +39,7 @@ int ppoll(struct pollfd *fds, nfds_t n, const struct timespec *patience, const s
     return poll(fds, n, 0);
 }
 
-/* There is none; the command goes on without. */
+/* Not available; the command works without it. */
 int memfd_create(const char *name, unsigned flags)
 {
     (void)name;
