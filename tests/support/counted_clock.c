@@ -1,5 +1,5 @@
-/* counted_clock.c: see counted_clock.h. The name clock_gettime is the program's before it is the C
- * library's, for the shared library as well. */
+/* counted_clock.c: see counted_clock.h. The program's clock_gettime precedes that of the C library,
+ * for the shared library as well. */
 #include "counted_clock.h"
 
 #include <stdatomic.h>
@@ -8,8 +8,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* All of them relaxed: a clock makes no order among the threads that read it, which a sanitizer of
- * threads would take for the library's. */
+/* All accesses are relaxed: a clock must not synchronize the threads that read it, or a thread
+ * sanitizer would miss races of the library. */
 static atomic_bool counting;
 static atomic_size_t readings, passed;
 static size_t act_at;

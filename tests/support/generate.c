@@ -1,4 +1,4 @@
-/* generate.c: random systems with a plan; see support.h. */
+/* generate.c: random systems with planted answers; see support.h. */
 #include "dense.h"
 
 /* A coefficient or right side: often 0, sometimes a fraction. */
@@ -38,7 +38,7 @@ static void add_row(mpq_t *out, mpq_srcptr factor, const dense *d, int i, bool w
 
 /* ---- families -------------------------------------------------------------------------------- */
 
-/* Row i lets the point in, in two of five cases only just. */
+/* The point satisfies row i, in two of five cases with equality. */
 static void around_point(support_rng *g, int bits, dense *d, int i, mpq_t *point)
 {
     mpq_t slack;
@@ -71,8 +71,8 @@ static fmb_verdict planted_point(support_rng *g, int bits, dense *d)
     return FMB_FEASIBLE;
 }
 
-/* The last of the rows 0..n is what the others, times multipliers, lack to 0 <= -gap. The gap may
- * be 0 if one of them is strict. Equalities get multipliers of any sign. */
+/* The last of the rows 0..n is chosen so that all, with the multipliers, add up to 0 <= -gap. The
+ * gap may be 0 if one of them is strict. Equalities get multipliers of any sign. */
 static void close_conflict(support_rng *g, dense *d, int n)
 {
     mpq_t factor;

@@ -1,7 +1,7 @@
-/* What Criterion asks of libgit2, without libgit2: it shows where two strings differ by that, which
-   no test here wants, and each test is a process. Fourteen libraries are not loaded then, nor are
-   the machine's certificates read. The library that tests link by this name goes before the real
-   one. */
+/* A stub of the libgit2 functions that Criterion calls. Criterion uses libgit2 only to show where
+   two strings differ, which no test here needs, but loads it in each test's process, with fourteen
+   libraries and the machine's certificates. Tests link this library under the same name, before the
+   real one. */
 int git_libgit2_init(void);
 int git_libgit2_shutdown(void);
 int git_diff_buffers(void);

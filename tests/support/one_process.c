@@ -1,11 +1,10 @@
-/* Criterion's tests one after another in one process, where sanitizers watch. Criterion makes each
-   of them a process, whose start and search for leaks take a tenth of a second there, a thousand
-   times; in the build without sanitizers they are apart. Here what one leaves to the next is seen,
-   too, and leaks are looked for once, at the end: a report of one says where the memory was asked
-   for.
+/* Criterion's tests one after another in one process, for builds with sanitizers. Criterion gives
+   each test its own process, whose start and leak check take a tenth of a second under a sanitizer,
+   a thousand times; builds without sanitizers do so. Here effects of a test on the next one show,
+   too, and leaks are checked once, at the end: a report says where the memory was allocated.
 
-   These are the functions that Criterion's macros call, with the meaning they have there; Criterion
-   itself is not linked. An assertion that fails ends the program. */
+   These are the functions that Criterion's macros call, with the same meaning; Criterion itself is
+   not linked. A failing assertion ends the program. */
 #include <criterion/criterion.h>
 #include <criterion/logging.h>
 #include <fnmatch.h>
@@ -18,7 +17,7 @@
 extern struct criterion_test *__start_cr_tst[] ABSENT_IF_EMPTY, *__stop_cr_tst[] ABSENT_IF_EMPTY;
 extern struct criterion_suite *__start_cr_sts[] ABSENT_IF_EMPTY, *__stop_cr_sts[] ABSENT_IF_EMPTY;
 
-struct criterion_options criterion_options; /* the macros ask it whether all is to be told */
+struct criterion_options criterion_options; /* the macros read its full_stats */
 
 static struct {
     const struct criterion_test *test; /* the one that is running */
@@ -43,7 +42,7 @@ void cr_asprintf_free(char *text)
     free(text);
 }
 
-/* Of an assertion without a message: the asserted text, the first argument whatever kind it is. */
+/* The text of an assertion without a message: the first argument, for every kind. */
 char *cr_translate_assert_msg(int kind, ...)
 {
     va_list rest;
@@ -73,7 +72,7 @@ void criterion_abort_test(void)
     if (now.test)
         fprintf(stderr, "%s/%s failed\n", now.test->category, now.test->name);
     fflush(NULL);
-    _exit(1); /* what the test holds is no leak */
+    _exit(1); /* memory of the aborted test is no leak */
 }
 
 void criterion_skip_test(const char *format, ...)
@@ -145,8 +144,8 @@ static bool is_wanted(const struct criterion_test *test, const char *pattern)
     return !test->data->disabled && (!pattern || fnmatch(pattern, test->data->identifier_, 0) == 0);
 }
 
-/* All tests, or with `--filter SUITE/TEST`, a shell pattern, those; 1 if there are none. As with
-   Criterion, a program may have a main of its own. */
+/* Runs all tests, or those that match `--filter SUITE/TEST`, a shell pattern; 1 if there are none.
+   As with Criterion, a program may have a main of its own. */
 __attribute__((weak)) int main(int argc, char **argv)
 {
     const char *pattern = argc == 3 && strcmp(argv[1], "--filter") == 0 ? argv[2] : NULL;

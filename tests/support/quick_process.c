@@ -1,4 +1,3 @@
-/* Each test is a process, which ends before another would have begun: nothing is loaded that no
-   test needs (no_git.c). */
+/* Makes each test's process start quickly, without a library that no test needs (no_git.c). */
 int git_libgit2_init(void);
 int (*const fmb_no_git)(void) = git_libgit2_init; /* so that the linker keeps the library */

@@ -1,4 +1,4 @@
-/* shrink.c: make a failing system small, and print it; see support.h. */
+/* shrink.c: shrinks a failing system and prints it; see support.h. */
 #include "dense.h"
 
 typedef struct hunt {
@@ -49,8 +49,8 @@ static bool simplify_relations(hunt *h)
     return progress;
 }
 
-/* The n-th simpler number than q: 0, its sign, its whole part, half its whole part, its whole part
- * less one. False if that is not simpler. */
+/* The n-th candidate simpler than q: 0, its sign, its integer part, half of that, that less one.
+ * False if it is not simpler. */
 static bool simpler(mpq_t q, int n)
 {
     mpz_t whole;

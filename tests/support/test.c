@@ -42,7 +42,7 @@ Test(support, seeds_repeat)
     cr_expect_eq(support_next(&g), 0xe220a8397b1dcdafu); /* the published first output of seed 0 */
 }
 
-/* Each family without a plan has feasible and infeasible members. */
+/* Each family without planted answers has feasible and infeasible members. */
 Test(support, both_verdicts)
 {
     static const support_family unplanned[] = {SUPPORT_DEGENERATE, SUPPORT_PARALLEL, SUPPORT_MIXED};

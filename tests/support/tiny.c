@@ -2,7 +2,7 @@
  *
  * A row is a code 0..53 = ((a1 + 1) * 3 + (a2 + 1)) * 6 + (b + 1) * 2 + strict, a system a
  * non-decreasing list of codes. Of the images of a list under the 8 symmetries, swaps of the
- * variables and changes of their signs, the one that comes first stands for all.
+ * variables and changes of their signs, the smallest represents all.
  */
 #include <stdlib.h>
 

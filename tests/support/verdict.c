@@ -1,4 +1,4 @@
-/* verdict.c: verdicts and rows that are proved; see support.h. */
+/* verdict.c: verdicts and rows with proofs; see support.h. */
 #include <stdlib.h>
 
 #include <fmb/fmb.h>
@@ -6,7 +6,7 @@
 #include "dense.h"
 #include "support/must.h"
 
-/* [give] What the last query says in evidence, which is accepted. */
+/* [give] The evidence of the last query, which fmb_check accepts. */
 static fmb_evidence *accepted_evidence(const fmb_solver *v, const fmb_system *s,
                                        fmb_judgement *found)
 {
