@@ -114,7 +114,7 @@ def declarations(include):
     text = "".join(f"#include <fmb/{name}.h>\n" for name in ("fmb", "geometry"))
     plain = subprocess.run(compiler + ["-E", "-P", "-DFMB_DECLARATIONS_ONLY", "-I", include, "-"],
                            input=text, stdout=subprocess.PIPE, check=True, text=True).stdout
-    # What a library of rules defines itself is not there to be called.
+    # Functions that a rule library itself defines cannot be called.
     return re.sub(r"^[^;{}]*\bfmb_(rule|chooser)_library\b[^;]*;", "", plain, flags=re.M)
 
 

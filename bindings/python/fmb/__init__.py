@@ -34,7 +34,7 @@ __all__ = ["Answer", "ArgumentError", "Box", "Conflict", "End", "Error", "Event"
 
 __version__ = text(lib.fmb_version())
 
-# These need NumPy, which is asked for when they are.
+# These need NumPy, which is imported at their first use.
 _LATER = {"_frames": ("Frame", "Frames", "Pairs", "Proximity", "common", "cuboid", "depth",
                       "distance", "meeting", "separate", "simplex"), "_mesh": ("Hits", "Mesh")}
 

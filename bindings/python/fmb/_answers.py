@@ -191,7 +191,7 @@ class Answer:
         if lib.fmb_solver_evidence(solver, out) == lib.FMB_OK:
             self._proof = Proof(ffi.gc(out[0], lib.fmb_evidence_free), about)
 
-    _lazy: tuple[str, ...] = ()  # what is read from the library when it is asked for
+    _lazy: tuple[str, ...] = ()  # attributes read from the library at their first use
 
     def __getstate__(self) -> dict[str, Any]:
         """For pickle and deepcopy: all that can be asked, read."""

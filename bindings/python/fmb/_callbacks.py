@@ -11,7 +11,7 @@ _RELATIONS = {lib.FMB_LE: "<=", lib.FMB_LT: "<", lib.FMB_EQ: "="}
 
 
 def _bits(words: Any, n: int) -> frozenset[int]:
-    """The numbers in a bit set."""
+    """The elements of a bit set."""
     whole = int.from_bytes(ffi.buffer(words, 8 * n)[:], "little")
     out = []
     while whole:

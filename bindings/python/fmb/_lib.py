@@ -111,7 +111,7 @@ def printed(write: Callable[..., int], *what: Any) -> str:
     return str(ffi.unpack(block, length[0]).decode(errors="surrogateescape"))
 
 
-# Python refuses to turn text of more than 4300 digits, or of fewer, if it is told so, into a number.
+# Python refuses to convert texts of more than 4300 digits (or its configured limit) into numbers.
 _SURE_DIGITS = 600
 
 
@@ -193,7 +193,7 @@ def owned(kind: str, thing: Any) -> Any:
     return ffi.gc(thing, getattr(lib, kind + "_free")) if thing != NULL else None
 
 
-# What was raised at the very door of a callback, as KeyboardInterrupt may be: nobody catches it there.
+# Raised at the entry of a callback, like a KeyboardInterrupt, where no handler catches it.
 _lost: list[BaseException] = []
 
 

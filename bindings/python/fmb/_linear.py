@@ -203,7 +203,7 @@ def _is_within(inner: FrameType | None, outer: FrameType) -> bool:
     return inner is outer
 
 
-# What may stand between a comparison and the jump that asks for its truth.
+# Instructions that may stand between a comparison and the jump on its truth value.
 _BEHIND = ("CACHE", "EXTENDED_ARG", "COPY", "DUP_TOP", "TO_BOOL")
 
 

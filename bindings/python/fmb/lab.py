@@ -90,7 +90,7 @@ def order(choose: Order) -> Order:
 # ---- systems to try something on ---------------------------------------------------------------
 
 
-# On these, rules that do not go together were seen to go wrong: eliminated in the given order.
+# Incompatible rules gave wrong answers on these, eliminated in the given order.
 _KNOWN = """
 u - y <= 0; -u <= -1; -u - y <= -1; u + 2y <= -1
 x - y <= -1; -x + 2y + 2z <= -1; x + y - 2z <= 1; x - 2y <= -2; -2x + y <= 1

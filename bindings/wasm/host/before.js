@@ -1,4 +1,4 @@
-// before.js: files of Node as the command expects them.
+// before.js: adapts Node's files to the command's needs.
 
 // Standard streams can be asked what they are; terminals, in most cases they are not. Programs without files, with
 // which Meson tries the compiler, have no FS.
@@ -8,7 +8,7 @@ Module.onRuntimeInitialized = () =>
     Object.assign(FS.streams[k], { path, tty: require("tty").isatty(k) });
   });
 
-// Who writes where nobody reads ends without a word; who writes faster than is read waits.
+// A write to a closed pipe ends the command silently; a write to a full pipe waits.
 if (typeof process === "object") {
   const fs = require("fs"), write = fs.writeSync;
   fs.writeSync = (...args) => {

@@ -192,7 +192,7 @@ const tests = {
   },
 };
 
-// What can be operated and has neither label nor text; and numbers that stand twice.
+// Controls that have neither label nor text; and duplicate numbers.
 const NAMELESS = `
   const named = (e) => e.getAttribute("aria-label") || e.labels?.length || e.textContent.trim() || e.title;
   const twice = [...document.querySelectorAll("[id]")].map((e) => e.id).filter((id, k, all) => all.indexOf(id) !== k);

@@ -1,7 +1,7 @@
-// The library as WebAssembly, made for no other host than this: a clock is all that it asks for.
+// The library as WebAssembly, for any host: it needs only a clock.
 import bytes from "./engine.wasm";
 
-// What C libraries may ask of a system, and what the answer is where there is none.
+// System calls that C libraries may import, and their answers without a system.
 const NO_SUCH_FILE = 8;
 const SYSTEM = {
   fd_close: () => NO_SUCH_FILE,
@@ -44,7 +44,7 @@ export async function startEngine() {
   return begin(module, await WebAssembly.instantiate(module, importsOf(module, state)), state);
 }
 
-// In workers and in Node; pages may only compile in the background.
+// Synchronously, in workers and in Node; pages may compile only asynchronously.
 export function startEngineNow() {
   const module = new WebAssembly.Module(bytes), state = {};
   return begin(module, new WebAssembly.Instance(module, importsOf(module, state)), state);

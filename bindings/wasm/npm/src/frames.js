@@ -15,7 +15,7 @@ function wordIn(table, word, what) {
   throw new FmbError(`${JSON.stringify(word)} is no ${what}: ${Object.keys(table).join(", ")}`, "argument");
 }
 
-// Origin, axes and shape, whichever way the frame is given.
+// Origin, axes and shape of a frame in either form.
 function partsOf(frame) {
   const shape = wordIn(SHAPES, frame.type, "type of a frame");
   if (frame.points) return { shape: shape + BY_CORNERS, origin: frame.points[0], axes: frame.points.slice(1) };
@@ -109,7 +109,7 @@ export function exactBox(memory, a, b, { contact, ...options } = {}) {
   }
 }
 
-// What a call about two frames gives out, read and freed.
+// Reads and frees the object that a call about two frames returns.
 function asked(memory, a, b, options, call, read, free) {
   let out;
   return query(memory, options, (v, result, s) => {
@@ -128,7 +128,7 @@ function asked(memory, a, b, options, call, read, free) {
 
 const vector = (memory, dim, text) => Array.from({ length: dim }, (_, j) => number(memory, (to, size) => text(j, to, size)));
 
-// How far apart, and between which points. measure: the distance, or its square (Euclidean).
+// The distance, and the nearest points. measure: the distance, or its square (Euclidean).
 export function distance(memory, a, b, { norm = "euclidean", ...options } = {}) {
   const { c } = memory, dim = partsOf(a).origin.length;
   return asked(memory, a, b, options,
@@ -141,7 +141,7 @@ export function distance(memory, a, b, { norm = "euclidean", ...options } = {}) 
     }), c.fmb_proximity_free);
 }
 
-// How deep in each other, and by which shift of the second they come apart.
+// The penetration depth, and the translation of the second frame that separates them.
 export function depth(memory, a, b, { norm = "euclidean", ...options } = {}) {
   const { c } = memory, dim = partsOf(a).origin.length;
   return asked(memory, a, b, options,
@@ -153,7 +153,7 @@ export function depth(memory, a, b, { norm = "euclidean", ...options } = {}) {
     }), c.fmb_proximity_free);
 }
 
-// A row that the first satisfies and the second does not.
+// A separating row: the first frame satisfies it, the second violates it.
 export function separate(memory, a, b, { contact = "closed", ...options } = {}) {
   const { c } = memory;
   return asked(memory, a, b, options,
@@ -161,7 +161,7 @@ export function separate(memory, a, b, { contact = "closed", ...options } = {}) 
     (at) => ({ row: new System(memory, at).row(0) }), () => {});
 }
 
-// Vertices of what they have in common, in the plane in their order around it.
+// Vertices of the intersection; in the plane in their order around it.
 export function common(memory, a, b, options = {}) {
   const { c } = memory;
   return asked(memory, a, b, options, (v, f, out, result) => c.fmb_common(v, f, out, result),

@@ -19,7 +19,7 @@ class Library {
     this.version = this.#memory.textAt(c.fmb_version());
   }
 
-  // Run ask(system) on what was given, which goes again if it was made here.
+  // Runs ask(system) on the given system, which is freed if it was made here.
   #with(from, ask) {
     const system = systemOf(this.#memory, from);
     try {
@@ -105,12 +105,12 @@ class Library {
 
 let loading;
 
-// Once for all callers.
+// Loaded once for all callers.
 export function load() {
   return (loading ??= startEngine().then((exports) => new Library(exports)));
 }
 
-// At once, where that is allowed: in workers and in Node.
+// Synchronously, where that is allowed: in workers and in Node.
 export function loadNow() {
   return new Library(startEngineNow());
 }

@@ -1,6 +1,6 @@
 // The memory of the engine, as JavaScript sees it: texts, numbers, structures, arrays.
 //
-// What a call needs for its arguments lives in a scope, and goes when the scope ends:
+// The arguments of a call are allocated in a scope, and freed when the scope ends:
 //
 //   memory.scope((s) => c.fmb_system_parse(s.text(text), ...))
 
@@ -28,7 +28,7 @@ export class Memory {
       this.places[this.textAt(name)] = c.engine_place_value(i);
   }
 
-  // Growing memory leaves old views behind.
+  // A view becomes invalid when the memory grows.
   get view() {
     if (this.#view.buffer !== this.c.memory.buffer) this.#view = new DataView(this.c.memory.buffer);
     return this.#view;
@@ -48,7 +48,7 @@ export class Memory {
     return this.view.getInt32(at, true);
   }
 
-  // Counts and sizes are below 2^53 in any memory there is.
+  // Counts and sizes are always below 2^53.
   long(at) {
     return Number(this.view.getBigUint64(at, true));
   }
@@ -66,7 +66,7 @@ export class Memory {
     return DECODER.decode(bytes.subarray(at, end));
   }
 
-  // What writes(at, size) writes there: a text of which it returns the length.
+  // The text that writes(at, size) writes; it returns the text's length.
   written(writes) {
     const length = writes(this.#scratch, SCRATCH);
     if (length < SCRATCH) return this.textAt(this.#scratch);
@@ -79,7 +79,7 @@ export class Memory {
     }
   }
 
-  // The same of functions *_print, which return a status and the length in *at.
+  // Likewise for functions *_print, which return a status, and the length in *at.
   printed(prints) {
     return this.scope((s) => {
       const length = s.zeros(4);
@@ -141,7 +141,7 @@ class Scope {
     return at;
   }
 
-  // A structure of zeros but for these fields, whose size is set where it has one.
+  // A structure with these fields, all others 0; sets its size field if it has one.
   structure(type, fields = {}) {
     const { places, view } = this.memory, at = this.zeros(places[type]);
     if (`${type}.size` in places) this.memory.view.setInt32(at + places[`${type}.size`], places[type], true);
@@ -149,7 +149,7 @@ class Scope {
     return at;
   }
 
-  // Where an object that a call gives out is put.
+  // A place for the pointer to an object that a call returns.
   out() {
     return this.zeros(4);
   }
@@ -161,7 +161,7 @@ class Scope {
 
 const STATUS = ["ok", "argument", "memory", "parse", "io", "rule", "state", "range"];
 
-// Throws unless the status is OK; trouble tells why, if it knows.
+// Throws unless the status is OK; trouble gives the reason, if known.
 export function must(memory, status, trouble = () => "") {
   if (status === 0) return;
   const why = trouble() || memory.textAt(memory.c.fmb_status_text(status));

@@ -6,7 +6,7 @@ const FORMATS = ["auto", "off", "obj", "ply", "stl", "mesh"];
 const ENCODER = new TextEncoder();
 const FREED = new FinalizationRegistry(({ c, at }) => c.fmb_mesh_free(at));
 
-// A mesh in the engine. It goes with this object, or at once by free().
+// A mesh in the engine. It is freed with this object, or at once by free().
 export class Mesh {
   #own;
 
@@ -24,7 +24,7 @@ export class Mesh {
     this.at = 0;
   }
 
-  // Corners of a cell: 3 or 4.
+  // The number of corners of a cell: 3 or 4.
   get corners() {
     return this.memory.c.fmb_mesh_corners(this.at);
   }
@@ -72,7 +72,7 @@ function fromArrays(memory, { points, cells, corners = 3 }) {
   });
 }
 
-// A mesh from the text or bytes of a file, from arrays, or as it is.
+// A mesh from the text or bytes of a file, from arrays, or a Mesh itself.
 export function meshOf(memory, from, { format = "auto" } = {}) {
   if (from instanceof Mesh) return from;
   if (typeof from === "string") return fromFile(memory, ENCODER.encode(from), format);

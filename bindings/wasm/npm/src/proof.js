@@ -1,4 +1,4 @@
-// Evidence: claims with the numbers that prove them, as the library hands them out; and its judge.
+// Evidence: claims with the numbers that prove them, as the library returns them; and its checker.
 import { number, VERDICTS } from "./solver.js";
 import { must } from "./memory.js";
 import { parsed, RELATIONS } from "./system.js";

@@ -9,7 +9,7 @@ const FATES = ["unknown", "kept", "equality", "redundant"];
 const GENERATORS = ["vertex", "ray", "line"];
 const SENSES = { max: 1, min: 2 };
 
-// The object that a call gave out, or null.
+// The object that a call returned, or null.
 function given(memory, out, wrap) {
   const at = memory.int(out);
   return at === 0 ? null : wrap(at);
@@ -86,7 +86,7 @@ export function reduce(memory, system, options = {}) {
 
 /* ---- bounds, optimize ------------------------------------------------------------------------ */
 
-// A structure that a function of C returns is written where its first argument points.
+// A C function that returns a structure writes it to the address in its first argument.
 function readEnd(memory, call, text) {
   return memory.scope((s) => {
     const { places } = memory, end = s.structure("fmb_end");
@@ -125,7 +125,7 @@ export function bounds(memory, system, variables, options = {}) {
   }));
 }
 
-// The form becomes the objective of a copy: what is asked about stays as it is.
+// The form becomes the objective of a copy: the given system is unchanged.
 function withObjective(memory, system, sense, form) {
   const { c } = memory;
   const copy = memory.scope((s) => {
@@ -156,7 +156,7 @@ function readOptimum(memory, system, o) {
   };
 }
 
-// what: {max: form} or {min: form}, where a form is text or coefficients; none: what the system says.
+// what: {max: form} or {min: form}, where a form is text or coefficients; none: the system's objective.
 export function optimize(memory, system, what = {}, options = {}) {
   const { c } = memory, sense = Object.keys(SENSES).find((word) => word in what);
   const asked = sense ? withObjective(memory, system, sense, what[sense]) : system;

@@ -1,4 +1,4 @@
-// One query: a solver with its options, what it found, and the trace of how.
+// One query: a solver with its options, its answer, and a trace.
 import { Fraction } from "./fraction.js";
 import { FmbError, must } from "./memory.js";
 
@@ -26,7 +26,7 @@ function readStats(memory, result) {
   return stats;
 }
 
-// What every answer says.
+// The fields of every answer.
 function readResult(memory, result) {
   const verdict = memory.int(result + memory.places["fmb_result.verdict"]);
   return {
@@ -52,7 +52,7 @@ function traced(memory, v, trace, ask) {
   return [status, lines.map((line) => JSON.parse(line))];
 }
 
-// Ask a fresh solver: ask(v, result, s) is the call of the library, read(v, s) what is read of its
+// Query a fresh solver: ask(v, result, s) calls the library, read(v, s) reads its
 // answer while the solver lives. `trace` and `proof` are no options of the library.
 export function query(memory, { trace = false, proof = false, ...options }, ask, read) {
   const { c } = memory;

@@ -19,7 +19,7 @@ export function exact(number) {
   return typeof number === "number" ? exactText(number) : String(number);
 }
 
-// A system in the engine. It goes with this object, or at once by free().
+// A system in the engine. It is freed with this object, or at once by free().
 export class System {
   #own;
 
@@ -46,7 +46,7 @@ export class System {
     return this.memory.c.fmb_system_rows(this.at);
   }
 
-  // Row i: its terms, relation and right side, exactly, with what stands on the left side.
+  // Row i: its exact terms, relation and right side, and its left side as text.
   row(i) {
     const { memory, at } = this, { c } = memory;
     if (!(i >= 0 && i < this.size)) throw new FmbError(`row ${i} of ${this.size}`, "argument");
@@ -95,7 +95,7 @@ System.prototype[Symbol.dispose ?? Symbol.for("dispose")] = System.prototype.fre
 
 /* ---- from text ------------------------------------------------------------------------------- */
 
-// Runs parse(text, length, where, out); what is wrong with the text is told with its place.
+// Runs parse(text, length, where, out); an error in the text is thrown with its place.
 export function parsed(memory, text, parse) {
   return memory.scope((s) => {
     const at = s.text(text), length = s.length, where = s.structure("fmb_where"), out = s.out();
@@ -160,7 +160,7 @@ function fromArrays(memory, { matrix, relations, right, variables, labels }) {
   return system;
 }
 
-// A system from text in any format, from arrays, or as it is.
+// A system from text in any format, from arrays, or a System itself.
 export function systemOf(memory, from, { format = "auto" } = {}) {
   if (from instanceof System) return from;
   if (isText(from)) return new System(memory, fromText(memory, from, format));

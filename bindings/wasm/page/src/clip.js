@@ -1,4 +1,4 @@
-// Regions in doubles, for drawing alone: what rows leave of a rectangle or of a box.
+// Regions in doubles, for drawing only: a rectangle or a box clipped by rows.
 
 const TINY = 1e-9;
 
@@ -33,7 +33,7 @@ function cutPolygon(polygon, excess, row) {
 
 const CORNERS = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
 
-// A convex polyhedron as faces [{points: [[x, y, z]...], row}], what rows leave of the box [low, high].
+// A convex polyhedron as faces [{points: [[x, y, z]...], row}]: the box [low, high] clipped by rows.
 export function polyhedronOf(rows, low, high) {
   const corner = (k) => [0, 1, 2].map((j) => ((k >> j) & 1 ? high[j] : low[j]));
   let faces = CORNERS.map((list) => ({ points: list.map(corner), row: -1 }));

@@ -1,6 +1,6 @@
 // The second tab: elimination round by round, which pairs of rows were combined, and which rule dropped what.
 //
-// The library tells of each row it makes which two it was made of, not its numbers: those are made again here, exactly.
+// The library reports the two parents of each row it makes, not its numbers: these are recomputed here, exactly.
 import { byId, make, replace, tell } from "./dom.js";
 import { ask } from "./engine.js";
 import { add, negative, parse, show, showForm, sign, times, whole } from "./rational.js";
@@ -20,7 +20,7 @@ const RULES = {
 
 /* ---- rows made again ------------------------------------------------------------------------- */
 
-// The sum of positive multiples of two rows in which variable j is gone; null unless their signs differ.
+// The positive combination of two rows that cancels variable j; null unless their signs differ.
 function combine(p, q, j) {
   const u = p.entries[j], v = q.entries[j];
   if (sign(u) * sign(v) >= 0) return null;
@@ -41,7 +41,7 @@ function firstRows(rows) {
   return new Map([...upper, ...reverse].map((r, i) => [i + 1, r]));
 }
 
-// Rounds with their rows, numbered as the library does: a row that is dropped leaves its number to the next one.
+// Rounds with their rows, numbered like the library's: the number of a dropped row is reused by the next one.
 function roundsOf({ rows, variables, events }) {
   const known = firstRows(rows);
   const rounds = [];

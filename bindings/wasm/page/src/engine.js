@@ -31,7 +31,7 @@ function receive({ data: { number, result, error } }) {
   if (error?.isFatal) restart("The library stopped, and begins again.");
 }
 
-// All that waits is given up, and a fresh worker begins.
+// Cancels all waiting tasks and starts a fresh worker.
 function restart(words) {
   worker.terminate();
   for (const { reject, timer } of waiting.values()) {
@@ -65,7 +65,7 @@ async function goOn(topic) {
   goOn(topic);
 }
 
-// One task of a topic is asked at a time; of those that come meanwhile only the last one is asked, and the others'
+// One task of a topic runs at a time; of the tasks that arrive meanwhile only the last one runs, and the others'
 // answers are null.
 export function ask(task, about, topic = task) {
   return new Promise((resolve, reject) => {

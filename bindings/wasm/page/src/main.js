@@ -37,7 +37,7 @@ function startTabs() {
 
 /* ---- the address ----------------------------------------------------------------------------- */
 
-// What the page is about: #example=NAME or #system=TEXT, and &tab=NAME.
+// The state of the page: #example=NAME or #system=TEXT, and &tab=NAME.
 function read() {
   const asked = new URLSearchParams(location.hash.slice(1));
   return { example: asked.get("example"), system: asked.get("system"), tab: asked.get("tab") };
@@ -86,7 +86,7 @@ shown.meshes = startMeshes();
 replace(byId("examples"), Object.entries(EXAMPLES).map(([name, { title }]) => make("li", {}, make("a", { href: `#example=${name}` }, title))));
 byId("share").addEventListener("click", share);
 addEventListener("hashchange", follow);
-// Tests read when the first answer was there, and how many there were.
+// For tests: the time of the first answer, and the number of answers.
 let answers = 0;
 onAnswer(() => {
   const { dataset } = document.documentElement;

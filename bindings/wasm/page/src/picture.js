@@ -31,7 +31,7 @@ export class Picture {
     });
   }
 
-  // The next system is another one: the view and the choice of variables begin anew.
+  // The next system is a different one: resets the view and the choice of variables.
   forget() {
     this.isFitted = false;
     this.chosen = null;
@@ -126,7 +126,7 @@ export class Picture {
     replace(byId("plane"), plane.grid([keep[0], keep[1] ?? ""]), this.#region(region, flat), this.#movable().map((m) => this.#line(m)), this.#points(keep, answer));
   }
 
-  // No solution: the lines are there, to be dragged until there is one.
+  // Infeasible: draws the lines, which can be dragged until there is a solution.
   #drawNothing(keep) {
     const lines = this.#movable(), { plane } = this;
     if (!this.isFitted) plane.fit([[0, 0], ...lines.map(({ a: [p, q = 0], b }) => [(p * b) / (p * p + q * q), (q * b) / (p * p + q * q)])]);
@@ -162,7 +162,7 @@ export class Picture {
     });
   }
 
-  // The line of a row across what is seen: to be dragged, or moved by the arrow keys.
+  // The line of a row across the visible area: it can be dragged, or moved by the arrow keys.
   #line({ i, row, a: [p, q = 0], b }) {
     const { plane } = this, [x0, y0, x1, y1] = plane.frame, size = Math.hypot(p, q);
     const at = [(x0 + x1) / 2, (y0 + y1) / 2], far = (p * at[0] + q * at[1] - b) / size;
@@ -223,7 +223,7 @@ export class Picture {
     this.isFitted = true;
   }
 
-  // A little more than the box of the projection; where that has no end, so far.
+  // A little more than the box of the projection; where it is unbounded, the range around the point.
   #boxOf(keep, { box, point }) {
     const ends = keep.map((name) => [box[name].lower, box[name].upper].map((e) => (e.value === null ? null : fractionValue(e.value))));
     const known = ends.flat().filter((e) => e !== null).concat(pick(point, keep));

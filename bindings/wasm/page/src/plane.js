@@ -1,5 +1,5 @@
 // The plane as an SVG picture: coordinates to pixels and back, a grid, moving and zooming by pointer, wheel, pinch
-// and keys. What is drawn is for the owner of the view, which `onview` tells when it changes.
+// and keys. The owner of the view draws the contents; `onview` notifies it of changes.
 import { draw } from "./dom.js";
 
 const KEYS = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
@@ -30,7 +30,7 @@ export class Plane {
     return this.pixels[1] / this.height;
   }
 
-  // [least x, least y, greatest x, greatest y] of what is seen.
+  // [least x, least y, greatest x, greatest y] of the visible area.
   get frame() {
     const [w, h] = this.pixels, x = w / this.scale / 2, y = h / this.scale / 2;
     return [this.centre[0] - x, this.centre[1] - y, this.centre[0] + x, this.centre[1] + y];
@@ -120,7 +120,7 @@ export class Plane {
 const nearZero = (x, step) => Math.abs(x) < step / 2;
 const tick = (x, step) => String(Number(x.toFixed(Math.max(0, -Math.floor(Math.log10(step))))));
 
-// 1, 2 or 5 times a power of ten, at least so much.
+// The least of 1, 2 or 5 times a power of ten that is at least the argument.
 export function niceStep(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].find((m) => m * power >= least) * power;

@@ -1,4 +1,4 @@
-// Exact arithmetic for what the page adds up itself: [numerator, denominator], both BigInt, in lowest terms.
+// Exact arithmetic for the page's own sums: [numerator, denominator], both BigInt, in lowest terms.
 
 const gcd = (a, b) => (b === 0n ? (a < 0n ? -a : a) : gcd(b, a % b));
 
@@ -41,7 +41,7 @@ export function whole(entries) {
   return numbers.map((a) => [a / g, 1n]);
 }
 
-// A fraction as text, or what it is about where that would be long.
+// A fraction as text, or an approximation if that would be long.
 export function brief(text, most = 24) {
   if (text.length <= most) return text;
   const [top, bottom = "1"] = text.split("/");

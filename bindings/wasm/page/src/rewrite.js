@@ -1,4 +1,4 @@
-// Where the rows of a system stand in its text, and how a right side is changed there.
+// The places of the rows of a system in its text, and how a right side is changed there.
 //
 // A line holds a row for each of its relations. Row r of a line relates its parts r and r + 1; one of them should be a
 // number, or end in one, which is what changes.
@@ -34,7 +34,7 @@ export function round(x, step) {
   return String(Number((Math.round(x / step) * step).toFixed(Math.min(digits, 12))));
 }
 
-// The part with so much more.
+// The part with its number increased.
 function plus(part, delta, step) {
   const before = /^\s*/.exec(part)[0], behind = /\s*$/.exec(part)[0];
   if (NUMBER.test(part)) return before + round(valueOf(part) + delta, step) + behind;

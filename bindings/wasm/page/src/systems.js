@@ -30,7 +30,7 @@ function select(row) {
 
 const rowButton = (row, i) => make("button", { type: "button", class: "link", title: "Show it in the text", onclick: () => select(i) }, showLabel(row, i));
 
-// Rows, each so many times, and what their sum is so far.
+// Rows with their multipliers, and the partial sums.
 function combination({ rows, variables }, multipliers) {
   let sum = variables.map(() => rational(0n)), right = rational(0n), isStrict = false;
   const lines = multipliers.map(({ row, multiplier }) => {
@@ -45,7 +45,7 @@ function combination({ rows, variables }, multipliers) {
     make("thead", {}, make("tr", {}, ["times", "row", "which says", "sum so far"].map((h) => make("th", { scope: "col" }, h)))), make("tbody", {}, lines)));
 }
 
-// Each row with the point put in.
+// Each row, evaluated at the point.
 function evaluation({ rows, variables }, point) {
   const x = variables.map((name) => parse(point[name]));
   const lines = rows.map((row, i) => {

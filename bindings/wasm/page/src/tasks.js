@@ -1,4 +1,4 @@
-// What the page asks of the library: each task takes and gives plain data, as it runs in a worker.
+// The page's calls of the library: each task takes and returns plain data, as it runs in a worker.
 import { FmbError, loadNow } from "../../npm/src/index.js";
 
 const PATIENCE = { maxSeconds: 10, maxBytes: 500e6 };
@@ -93,7 +93,7 @@ function frames({ a, b, moving }) {
   return found;
 }
 
-// A mesh from the bytes of a file: where its cells are, and which of them meet.
+// A mesh from the bytes of a file: the places of its cells, and which of them meet.
 function mesh({ bytes }) {
   const m = fmb.mesh(bytes), begin = performance.now();
   const { hits, tested, stop } = fmb.meshMeet(m, null, { maxSeconds: 20 });
@@ -108,7 +108,7 @@ self.onmessage = ({ data: { number, task, about } }) => {
   try {
     self.postMessage({ number, result: TASKS[task](about) });
   } catch (error) {
-    // Whatever else ends a call leaves the engine in no good state.
+    // Any other exception leaves the engine in an undefined state.
     const isFatal = !(error instanceof FmbError);
     self.postMessage({ number, error: { message: error.message, line: error.line, column: error.column, isFatal } });
   }
