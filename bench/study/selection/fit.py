@@ -74,7 +74,7 @@ def read(paths, names):
 
 
 def name_recorded(p):
-    """A file has no seed, and a family only by its name."""
+    """A recorded file has no seed; its family is part of its name."""
     name = p["family"]
     if "." in name:
         p["family"] = "recorded " + RECORDED.get(re.split("[_0-9]", name)[0], "polytopes")
@@ -87,7 +87,7 @@ def unit(f):
 
 
 def with_bounded_elimination(p, best):
-    """The time with that first over that without; to end no projection takes some time."""
+    """The time with bounded elimination first over that without; at least 1 if it does not answer."""
     ratio = seconds(p["took"][BOUNDED]) / best
     return ratio if p["answered"][BOUNDED] else max(1, ratio)
 
@@ -181,7 +181,7 @@ def grow(mark, bins, left, weight, thresholds):
 
 
 def fit(mark, told, family):
-    """What logarithms begin with, weights, and trees."""
+    """The constants of the logarithms, the weights, and the trees."""
     draw, weight = numpy.random.default_rng(1), weigh(family)
     at = numpy.linspace(0, 1, QUANTILES + 1)[1:-1]
     thresholds = [numpy.unique(numpy.quantile(column, at).astype(int)) for column in mark.T]

@@ -39,7 +39,7 @@ def system(cls: Any, A: Any, b: Any, relations: str | Sequence[str],
 
 
 def _plain(array: Any) -> Any:
-    """What tables as those of pandas hold."""
+    """The values of a table such as one of pandas."""
     return array.to_numpy() if hasattr(array, "to_numpy") else array
 
 
@@ -128,7 +128,7 @@ def _add_dense(self: Any, A: Any, b: Any, rel: Any) -> None:
 
 
 def _add_integers(self: Any, A: Any, b: Any, rel: Any) -> bool:
-    """Lists of nothing but integers that 64 bits hold; False of others."""
+    """Lists of 64-bit integers only; False for all others."""
     flat = [c for row in A for c in row]
     if set(map(type, flat)) | set(map(type, b)) != {int}:
         return False

@@ -1,4 +1,4 @@
-"""Rules and orders in Python, as queries call them (fmb.lab is for those who write some)."""
+"""Rules and orders in Python, called by queries (their authors use fmb.lab)."""
 
 from __future__ import annotations
 

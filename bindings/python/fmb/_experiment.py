@@ -63,7 +63,7 @@ def problems(folder: str | os.PathLike[str], families: Any = None, sizes: Any = 
 
 
 class _Rounds:
-    """What is told of rounds while a query runs."""
+    """The events of rounds while a query runs."""
 
     def __init__(self) -> None:
         self.alive: list[int] = []

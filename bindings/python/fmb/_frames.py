@@ -211,7 +211,7 @@ class _Kernel:
 
 
 class _Told:
-    """Pairs as they are told of."""
+    """The pairs reported so far by a query."""
 
     def __init__(self, most: int):
         self.parts: list[Any] = []
@@ -245,7 +245,7 @@ def set_option(o: Any, name: str, value: Any) -> None:
 
 
 def _wrong(*arrays: Any) -> str:
-    """What numbers no frame has."""
+    """The reason why numbers are no frame's."""
     for name, array in zip(("origin", "axes", "speed"), arrays):
         if array is not None and not np.isfinite(array).all():
             at = np.argwhere(~np.isfinite(array))[0].tolist()
@@ -360,7 +360,7 @@ def _near(query: Callable[..., int], a: Frame, b: Frame, norm: str,
 
 
 def _finished(result: Any, out: Any) -> None:
-    """Nothing handed out means that there is nothing only where no limit came first."""
+    """Raises if the result is missing because of a limit."""
     if out[0] == NULL and result.stop != lib.FMB_STOP_DONE:
         raise Unfinished(text(lib.fmb_stop_text(result.stop)))
 

@@ -17,7 +17,7 @@ _chains = threading.local()
 
 
 def _name_of(variable: Any) -> str:
-    """Of a variable, or of its name."""
+    """The name of a variable given by itself or by its name."""
     name = getattr(variable, "name", variable)
     if not isinstance(name, str) or not name:
         raise ArgumentError(f"a variable needs a name, not {name!r}")

@@ -11,7 +11,7 @@ from fmb._system import System
 
 
 def _cut(p: Any) -> Any:
-    """The closure of p within a box around its vertices, where it is unbounded."""
+    """The closure of p, clipped to a box around its vertices if it is unbounded."""
     from fmb._polyhedron import Polyhedron
     generators = p.generators()
     points = generators.vertices or [tuple(Fraction(0) for _ in p.names)]

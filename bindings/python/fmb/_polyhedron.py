@@ -64,7 +64,7 @@ class Polyhedron:
         return self._own
 
     def _like(self, answer: SystemAnswer) -> Polyhedron:
-        """An answer that a limit cut short is no polyhedron."""
+        """The polyhedron of an answer; raises if a limit interrupted it."""
         bool(answer) if answer.feasible is None else None
         if not answer.done:
             from fmb._lib import Unfinished

@@ -99,7 +99,7 @@ class Script:
                 System._of(owned("fmb_system", out[0])))
 
     def _commands(self) -> Iterator[tuple[str, System]]:
-        """Each command that asks, and what the last check asks about."""
+        """Each command with an answer, and the system of the last check."""
         self._s = self._parse()
         kinds = {lib.FMB_SCRIPT_CHECK: "check", lib.FMB_SCRIPT_MODEL: "model",
                  lib.FMB_SCRIPT_VALUE: "value", lib.FMB_SCRIPT_CORE: "core"}
@@ -120,6 +120,6 @@ class Script:
 
 
 def _at(system: System, point: dict[str, Fraction]) -> Fraction:
-    """The value there of the form that a system carries."""
+    """The value of a system's objective at a point."""
     form = system.objective
     return form(point) if form is not None else Fraction(0)

@@ -163,7 +163,7 @@ class Session:
 
 
 def _is_lower_bound(row: Any) -> bool:
-    """Is it written with its form above its right side, as x >= 5?"""
+    """Is the row written as a lower bound on its form, like x >= 5?"""
     if isinstance(row, Row):
         return row.links[0][1] in (">=", ">")
     return isinstance(row, str) and ">" in re.sub(r'"(?:[^"\\]|\\.)*"', "", row)

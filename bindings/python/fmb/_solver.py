@@ -135,7 +135,7 @@ class Solver:
         return text(lib.fmb_solver_trouble(self._v))
 
     def _ask(self, query: Callable[..., int], *arguments: Any) -> Any:
-        """One query; Ctrl-C ends it, and then raises KeyboardInterrupt as ever."""
+        """One query; Ctrl-C ends it, and then raises KeyboardInterrupt as usual."""
         result = ffi.new(_RESULT)
         result.size = _RESULT_SIZE
         if not self._busy.acquire(False):
@@ -290,7 +290,7 @@ def _system(out: Any) -> System | None:
 
 
 def _indices(s: System, names: Names) -> list[int]:
-    """The numbers of variables, told by names, as variables, or by their numbers."""
+    """The numbers of variables, given by names, as variables, or by numbers."""
     if isinstance(names, Form):
         names = words(names)
     if isinstance(names, str):
@@ -358,7 +358,7 @@ _default = threading.local()
 
 
 def _solver(options: dict[str, Any]) -> Solver:
-    """A solver of the options; of none, the one of this thread."""
+    """A solver with the options; without options, the solver of this thread."""
     if options:
         return Solver(**options)
     own: Solver | None = getattr(_default, "solver", None)

@@ -443,12 +443,12 @@ _SEMICOLON = re.compile(r'"(?:[^"\\\n]|\\.)*"|#[^\n]*|;')
 
 
 def _lines(source: str) -> str:
-    """In a text of Python's `;` ends a line as well, but not in quotes and comments."""
+    """In Python's texts `;` ends a line, too, but not in quotes and comments."""
     return _SEMICOLON.sub(lambda m: "\n" if m[0] == ";" else m[0], source)
 
 
 def _place(source: str, split: str, where: Any) -> None:
-    """A mistake is told where it is in the text as it was given."""
+    """The place of an error in the text as the user gave it."""
     if split == source or where.line < 1:
         return
     data = encoded(split)

@@ -44,7 +44,7 @@ def is_within(inner: System, outer: System, options: dict[str, Any]) -> bool:
 
 
 def _meets(solver: Solver, add: Callable[[int], int], relation: int) -> bool:
-    """Has the system that is loaded a solution with one more row?"""
+    """Is the loaded system feasible with one more row?"""
     v = solver._v
     need(lib.fmb_solver_push(v), solver._trouble)
     need(add(relation), solver._trouble)
@@ -75,7 +75,7 @@ def _rows_against(solver: Solver, inner: System, outer: System) -> Iterator[Any]
 
 
 def _long_rows_against(solver: Solver, place: list[int], outer: System) -> Iterator[Any]:
-    """The same of numbers that 64 bits do not hold, and of fractions."""
+    """Likewise for fractions, and numbers beyond 64 bits."""
     for row in outer:
         var = [place[outer.index(name)] for name in row.coefficients]
         texts = [ffi.new("char[]", spelled(c).encode()) for c in row.coefficients.values()]

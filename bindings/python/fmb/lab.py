@@ -234,7 +234,7 @@ def experiment(ways: Iterable[Any], of: Iterable[Problem], out: str | os.PathLik
 
 
 class _Bench:
-    """Who is tried, who counts without rules, and who knows the truth."""
+    """The solver on trial, one that counts without rules, and one for the truth."""
 
     def __init__(self, tried: Solver, without: Solver):
         self.tried = tried
@@ -274,7 +274,7 @@ class _Bench:
 
 
 def _asked(solver: Solver, s: System, kept: tuple[str, ...] | None) -> tuple[str | None, Any]:
-    """What the answer says, so that equal ones are equal; None: a limit came."""
+    """The content of an answer, for comparisons; None if a limit ended it."""
     if kept is None:
         answer: Any = solver.solve(s)
         said = "feasible" if answer.feasible else "infeasible"
@@ -292,7 +292,7 @@ def _made_of(names: Sequence[str], rows: Sequence[SystemRow]) -> System:
 
 
 def _smaller(s: System, fails: Callable[[System], bool]) -> System:
-    """The system without rows and with smaller numbers, as long as it fails."""
+    """The system with fewer rows and smaller numbers that still fails."""
     changed = True
     while changed:
         changed = False
