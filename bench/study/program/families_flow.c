@@ -11,7 +11,7 @@ static int side_of(int n, int per)
     return k;
 }
 
-/* x_ij >= 0 from a sources to b sinks, what goes out of and into each is given. */
+/* x_ij >= 0 from a sources to b sinks, the supplies and demands are given. */
 static void write_shipments(study_writer *w, int a, int b, int64_t out, int64_t in)
 {
     for (int i = 0; i < a; i++) {
@@ -77,7 +77,7 @@ static void write_hours(study_writer *w, int t)
     study_write_end(w, FMB_LE, 0);
 }
 
-/* The goal is what all that costs, which is to be little. */
+/* The objective is the total cost, to be minimized. */
 void study_staircase(study_writer *w)
 {
     int periods = w->variables < PERIOD ? 1 : w->variables / PERIOD;

@@ -168,7 +168,7 @@ void study_equalities(study_writer *w)
     free(point);
 }
 
-/* No row goes up along the ray, which is the goal; the origin is a solution. */
+/* No row increases along the ray, which is the objective; the origin is a solution. */
 void study_unbounded(study_writer *w)
 {
     int64_t *ray = draw_point(w);

@@ -120,7 +120,7 @@ static const struct {
 
 enum { UNSEEN = 10, APART = 46, FAMILIES = (int)(sizeof FAMILY / sizeof *FAMILY) - APART - UNSEEN };
 
-/* Seeds are spread as when there were so many families, so that problems stay what they were. */
+/* Seeds are spread as when there were so many families, so that no problem changes. */
 enum { SPREAD = 28 };
 
 int study_projections(void)

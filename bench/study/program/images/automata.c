@@ -35,7 +35,7 @@ void study_image_automaton(study_writer *w)
     }
 }
 
-/* Loops with steps: iterations of two nests that touch the same elements; the difference stays. */
+/* Loops with steps: iterations of two nests on the same elements; the difference is kept. */
 void study_image_dependences(study_writer *w)
 {
     int depth = study_draw(w, 2, 4), kept = depth, subscripts = study_draw(w, 1, 2);

@@ -29,8 +29,8 @@ void study_image_parameters(study_writer *w)
     }
 }
 
-/* Lines and planes close to points of ten digits: some coefficients and the greatest error stay,
- * the errors of points go. */
+/* Lines and planes close to points of ten digits: some coefficients and the greatest error are
+ * kept, the errors of points are not. */
 void study_image_fits(study_writer *w)
 {
     int n = study_draw(w, 2, 4), points = study_draw(w, 3, 7), kept = study_draw(w, 1, n) + 1;
@@ -144,7 +144,7 @@ void study_image_beliefs(study_writer *w)
     }
 }
 
-/* Weights of criteria behind choices: what was preferred weighs more. Some of them stay. */
+/* Weights of criteria behind choices: what was preferred weighs more. Some weights are kept. */
 void study_image_votes(study_writer *w)
 {
     int criteria = study_draw(w, 4, 7), choices = study_draw(w, criteria, 3 * criteria);

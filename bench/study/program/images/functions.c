@@ -31,7 +31,7 @@ void study_image_products(study_writer *w)
     study_write_box(w, x, numbers, 0, 7);
 }
 
-/* Functions of one number each by their bends, under a bound on all values; numbers stay. */
+/* Functions of one number each by their bends, with a bound on all values; numbers kept. */
 void study_image_bends(study_writer *w)
 {
     int functions = study_draw(w, 2, 3), bends = study_draw(w, 3, 6);
@@ -76,7 +76,7 @@ void study_image_layers(study_writer *w)
         study_write_box(w, 0, layers * each, -99, study_draw(w, 20, 99));
 }
 
-/* Some of each set are needed; what all cost stays, too. */
+/* Some of each set are needed; the total cost is kept, too. */
 void study_image_covers(study_writer *w)
 {
     int n = study_draw(w, 5, 9), sets = study_draw(w, 4, 10), kept = study_draw(w, 2, 4);

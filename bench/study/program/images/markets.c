@@ -6,7 +6,7 @@
  */
 #include "study/program/writer.h"
 
-/* What can be made of what, as mixtures of observed units show: inputs and outputs stay. */
+/* Production possibilities as mixtures of observed units: inputs and outputs are kept. */
 void study_image_frontier(study_writer *w)
 {
     int inputs = study_draw(w, 1, 3), outputs = study_draw(w, 1, 2), units = study_draw(w, 5, 12);
@@ -60,7 +60,7 @@ void study_image_hedge(study_writer *w)
     }
 }
 
-/* Shares of a gain that no coalition improves on; those of some players stay. */
+/* Shares of a gain that no coalition improves on; those of some players are kept. */
 void study_image_coalitions(study_writer *w)
 {
     int players = study_draw(w, 4, 6), all = (1 << players) - 1;

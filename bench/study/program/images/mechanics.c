@@ -25,7 +25,7 @@ void study_image_grip(study_writer *w)
     }
 }
 
-/* Forces in the bars of a plane truss of joints that do not move; loads at some of them stay. */
+/* Forces in the bars of a plane truss in equilibrium; loads at some joints are kept. */
 void study_image_truss(study_writer *w)
 {
     int loads = study_draw(w, 2, 4), joints = study_draw(w, 2, 4), more = study_draw(w, 1, 4);
@@ -123,7 +123,7 @@ void study_image_sites(study_writer *w)
     }
 }
 
-/* Ingredients of a mixture and what it holds; some contents stay, in strict bounds. */
+/* Ingredients of a mixture and its contents; some contents are kept, in strict bounds. */
 void study_image_mixture(study_writer *w)
 {
     int contents = study_draw(w, 2, 5), of = study_draw(w, 5, 12);

@@ -92,7 +92,7 @@ void study_image_plenty(study_writer *w)
         write_mixed_row(w, n, &m, false);
 }
 
-/* Two to four terms a row, most of the variables stay. */
+/* Two to four terms a row, most of the variables are kept. */
 void study_image_mostly_kept(study_writer *w)
 {
     int n = study_draw(w, 7, 12), rows = study_draw(w, n + 4, 3 * n);
@@ -130,7 +130,7 @@ void study_image_implied(study_writer *w)
         study_write_most(w, n, study_draw(w, 3, 30));
 }
 
-/* Blocks of variables of their own, bound together by what stays. */
+/* Blocks of separate variables, connected by the kept ones. */
 void study_image_blocks(study_writer *w)
 {
     int kept = study_draw(w, 2, 5), blocks = study_draw(w, 2, 4), each = study_draw(w, 2, 3);

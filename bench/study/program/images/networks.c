@@ -5,7 +5,7 @@
  */
 #include "study/program/writer.h"
 
-/* Capacities of arcs that every cut between two places has: potentials go. */
+/* Capacities of arcs that every cut between two places has: potentials are eliminated. */
 void study_image_cuts(study_writer *w)
 {
     int nodes = study_draw(w, 4, 7), arcs = study_draw(w, 3, 6);

@@ -6,7 +6,7 @@
  */
 #include "study/program/writer.h"
 
-/* What a first decision costs in a second stage that mends it; the cost stays, too. */
+/* What a first decision costs in a second stage that mends it; the cost is kept, too. */
 void study_image_recourse(study_writer *w)
 {
     int first = study_draw(w, 1, 4), second = study_draw(w, 3, 7), rows = study_draw(w, 4, 10);
@@ -159,7 +159,7 @@ void study_image_windows(study_writer *w)
     }
 }
 
-/* Totals of totals, each with rough bounds; those on top stay. */
+/* Totals of totals, each with rough bounds; the top ones are kept. */
 void study_image_totals(study_writer *w)
 {
     int tops = study_draw(w, 2, 4), each = study_draw(w, 2, 3), n = tops + tops * each;

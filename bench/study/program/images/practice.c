@@ -30,7 +30,7 @@ void study_image_schedule(study_writer *w)
     study_write_most(w, 0, 20 * n);
 }
 
-/* Markings that a Petri net may reach, by its state equation: places stay, firings go. */
+/* Markings that a Petri net may reach, by its state equation: places are kept, not firings. */
 void study_image_petri(study_writer *w)
 {
     int places = study_draw(w, 3, 6), firings = study_draw(w, 4, 8);
@@ -79,7 +79,7 @@ void study_image_hydro(study_writer *w)
     }
 }
 
-/* What may be fed into a network of lines: flows follow from angles, which go. */
+/* What may be fed into a network of lines: flows follow from angles, which are eliminated. */
 void study_image_power(study_writer *w)
 {
     int buses = study_draw(w, 4, 7), kept = study_draw(w, 2, 4);
@@ -104,7 +104,7 @@ void study_image_power(study_writer *w)
         }
 }
 
-/* A nest of loops whose bounds name outer counters; sizes and tiles stay. */
+/* A nest of loops whose bounds name outer counters; sizes and tiles are kept. */
 void study_image_loops(study_writer *w)
 {
     int depth = study_draw(w, 2, 4), tile = study_draw(w, 2, 32);
@@ -162,7 +162,7 @@ void study_image_entropy(study_writer *w)
     }
 }
 
-/* Distances of four to six points, some of them bounded; some stay. */
+/* Distances of four to six points, some of them bounded; some are kept. */
 void study_image_metric(study_writer *w)
 {
     int points = study_draw(w, 4, 6), at[6][6], n = 0, pairs = points * (points - 1) / 2;

@@ -119,7 +119,7 @@ void study_image_equal(study_writer *w)
     write_dense_rows(w, n + 2, FMB_LE);
 }
 
-/* Rows that do not go up along (1, ..., 1). */
+/* Rows that do not increase along (1, ..., 1). */
 void study_image_endless(study_writer *w)
 {
     int n = study_draw(w, 5, 8);
@@ -137,8 +137,8 @@ void study_image_endless(study_writer *w)
     }
 }
 
-/* Fewer than twice as many rows as variables that go: as often as not all rows are left behind
- * along some direction among those (Wendel 1962), and nothing is left of them. */
+/* Fewer than twice as many rows as eliminated variables: about as often as not all rows decrease
+ * along some direction of these variables (Wendel 1962), and no row is left. */
 void study_image_open(study_writer *w)
 {
     int keep = study_draw(w, 2, 4), gone = study_draw(w, 6, 30);
@@ -146,7 +146,7 @@ void study_image_open(study_writer *w)
         write_dense_rows(w, study_draw(w, gone + 1, 2 * gone - 1), FMB_LE);
 }
 
-/* Three rows whose sum is -s <= c, s being the sum of the kept ones: with s <= -c it stays. */
+/* Three rows whose sum is -s <= c, s the sum of the kept variables: with s <= -c an equality. */
 static void write_flat_rows(study_writer *w, int64_t c)
 {
     int64_t sum[16] = {0};

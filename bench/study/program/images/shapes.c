@@ -92,7 +92,7 @@ void study_image_planes(study_writer *w)
         }
 }
 
-/* Many rows of numbers around 0: polars of points, of which one or two variables go. */
+/* Many rows of numbers around 0: polars of points; one or two variables are eliminated. */
 void study_image_polar(study_writer *w)
 {
     int n = study_draw(w, 4, 6), rows = study_draw(w, n + 2, 3 * n + 6);

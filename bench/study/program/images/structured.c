@@ -6,7 +6,7 @@
  */
 #include "study/program/writer.h"
 
-/* x is a mean of points with weights >= 0: x stays, the weights go. */
+/* x is a mean of points with weights >= 0: x is kept, the weights are eliminated. */
 static void write_hull_of_points(study_writer *w, int dim, int points, const int64_t *at)
 {
     for (int j = 0; j < dim; j++) {
@@ -55,7 +55,7 @@ void study_image_local(study_writer *w)
     write_hull_of_points(w, dim, points, at);
 }
 
-/* Few terms a row, and many variables stay. */
+/* Few terms a row, and many variables are kept. */
 void study_image_scarce(study_writer *w)
 {
     int n = study_draw(w, 8, 18);

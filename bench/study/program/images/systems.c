@@ -49,7 +49,7 @@ static void write_rectifier(study_writer *w, const layer *in, layer *out, int k,
     out->hi[k] = linear || hi > 0 ? hi : 0;
 }
 
-/* Outputs stay, and stand first; then inputs, then hidden layers. */
+/* Outputs are kept and come first; then inputs, then hidden layers. */
 void study_image_relu(study_writer *w)
 {
     int outputs = study_draw(w, 2, 3) + w->larger / 2, inputs = study_draw(w, 2, 3),
@@ -125,7 +125,7 @@ void study_image_control(study_writer *w)
 
 /* ---- programs -------------------------------------------------------------------------------- */
 
-/* v >= c.y for some y >= 0 with A y >= B p + b, p in a box: v and p stay. */
+/* v >= c.y for some y >= 0 with A y >= B p + b, p in a box: v and p are kept. */
 void study_image_value(study_writer *w)
 {
     int parameters = study_draw(w, 1, 2), y = study_draw(w, 4, 9), at = 1 + parameters;
