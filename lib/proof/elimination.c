@@ -173,7 +173,7 @@ static fmb_status add_pair(fmb_elimination *e, const row_pair *pair, size_t v, u
     return cancel_variable(e, &sum->z, &e->row[pair->q].z, v);
 }
 
-static void drop_rows_that_name(fmb_elimination *e, size_t v)
+static void drop_rows_with_variable(fmb_elimination *e, size_t v)
 {
     size_t left = 0;
     for (size_t i = 0; i < e->rows; i++)
@@ -198,7 +198,7 @@ static fmb_status pair_rows(fmb_elimination *e, size_t v, bool *done)
         *done = e->work <= e->most;
     }
     if (st == FMB_OK && *done)
-        drop_rows_that_name(e, v);
+        drop_rows_with_variable(e, v);
     fmb_mem_put(e->mem, l.pair, l.capacity, sizeof *l.pair);
     fmb_mem_put(e->mem, set, e->words, sizeof *set);
     return st;

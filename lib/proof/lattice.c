@@ -294,7 +294,7 @@ static bool is_closed_ray(const lattice_walk *w, const uint64_t *f)
     return positive && fmb_set_size(f, words) == 1;
 }
 
-static bool shows_what_it_must(const lattice_walk *w, const uint64_t *f)
+static bool is_shown_or_excluded(const lattice_walk *w, const uint64_t *f)
 {
     const fmb_lattice *l = w->l;
     bool excluded = l->wanted == 0, all = true;
@@ -310,7 +310,7 @@ static bool shows_what_it_must(const lattice_walk *w, const uint64_t *f)
 static fmb_status look_at_face(lattice_walk *w, const uint64_t *f, size_t dimension)
 {
     fmb_status st = FMB_OK;
-    if (!shows_what_it_must(w, f)) {
+    if (!is_shown_or_excluded(w, f)) {
         w->is_unshown = true;
         memcpy(w->unshown, f, w->l->words * sizeof *f);
     }

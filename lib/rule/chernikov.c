@@ -21,7 +21,7 @@
  */
 #include "rule/rule_private.h"
 
-static void drop_pairs_that_cover(void *state, const fmb_view *w, size_t i, uint64_t *drop)
+static void drop_covering_pairs(void *state, const fmb_view *w, size_t i, uint64_t *drop)
 {
     (void)state;
     fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop); /* cheap, and implied */
@@ -32,5 +32,5 @@ const fmb_rule fmb_rule_chernikov = {
     .name = "chernikov",
     .source = "Chernikov1960",
     .flags = FMB_RULE_NEEDS_HISTORY,
-    .drop_pairs = drop_pairs_that_cover,
+    .drop_pairs = drop_covering_pairs,
 };

@@ -45,7 +45,7 @@ void fmb_team_close(fmb_team *t)
 
 /* Until the round ends, each share, and the query's own memory, which the caller goes on using, may
  * grow by an equal part of the remaining memory. */
-static void divide_what_is_left(fmb_team *t)
+static void divide_remaining_memory(fmb_team *t)
 {
     fmb_mem *mem = t->run->mem;
     size_t left = mem->limit > mem->used ? (mem->limit - mem->used) / (t->size + 1) : 0;
@@ -59,7 +59,7 @@ static void divide_what_is_left(fmb_team *t)
     mem->limit = mem->used + left > 0 ? mem->used + left : 1;
 }
 
-static fmb_status count_what_shares_hold(fmb_team *t)
+static fmb_status charge_memory_of_shares(fmb_team *t)
 {
     fmb_mem *mem = t->run->mem;
     fmb_mem_refund(mem, t->held);
@@ -79,7 +79,7 @@ void fmb_team_hand_over(fmb_team *t, size_t k, size_t bytes)
 
 void fmb_team_start(fmb_team *t, size_t jobs, fmb_team_job job, void *self)
 {
-    divide_what_is_left(t);
+    divide_remaining_memory(t);
     t->job = job;
     t->self = self;
     t->jobs = jobs;
@@ -100,6 +100,6 @@ fmb_status fmb_team_finish(fmb_team *t)
         if (t->run->stop == FMB_STOP_DONE)
             t->run->stop = s->run.stop;
     }
-    fmb_status st = count_what_shares_hold(t);
+    fmb_status st = charge_memory_of_shares(t);
     return worst != FMB_OK ? worst : st;
 }

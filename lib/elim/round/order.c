@@ -133,7 +133,7 @@ static bool stands_in_equality(const fmb_elim *e, int var)
 
 /* Substitution starts histories anew: if that is not allowed, equalities must be used up before the
  * first pairs. Then, if candidates are in equalities, only these are kept. */
-static size_t keep_those_in_equalities(const fmb_elim *e, int *candidate, size_t n)
+static size_t keep_candidates_in_equalities(const fmb_elim *e, int *candidate, size_t n)
 {
     size_t left = 0;
     bool one_base = false;
@@ -148,7 +148,7 @@ static size_t keep_those_in_equalities(const fmb_elim *e, int *candidate, size_t
 static fmb_status ask_chooser(fmb_elim *e, int *candidate, size_t n, int *var)
 {
     fmb_window w;
-    n = keep_those_in_equalities(e, candidate, n);
+    n = keep_candidates_in_equalities(e, candidate, n);
     fmb_window_open(&w, e, NULL, -1);
     int chosen = e->chooser.choose(e->chooser.self, &w.view, candidate, n);
     fmb_status st = fmb_window_close(&w);

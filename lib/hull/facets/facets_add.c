@@ -50,7 +50,7 @@ static fmb_status find_side(fmb_facets *f, uint32_t at)
 }
 
 /* From one visible facet, find all visible ones and their neighbours. */
-static fmb_status reach_from_facets_that_see(fmb_facets *f)
+static fmb_status list_visible_facets(fmb_facets *f)
 {
     for (size_t i = 0; i < f->seens; i++) {
         uint32_t v = f->seen[i];
@@ -77,7 +77,7 @@ static fmb_status find_sides(fmb_facets *f, size_t first)
         if (f->facet[i].alive)
             FMB_TRY(find_side(f, (uint32_t)i));
     }
-    return reach_from_facets_that_see(f);
+    return list_visible_facets(f);
 }
 
 static fmb_status load_generator(fmb_facets *f, fmb_status st)

@@ -69,7 +69,7 @@ static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, s
     return fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, at);
 }
 
-static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
+static fmb_status replace_visible_facets(fmb_facets *f, size_t generator)
 {
     f->mades = 0;
     for (size_t i = 0; i < f->seens; i++) {
@@ -105,7 +105,7 @@ fmb_status fmb_facets_cut(fmb_facets *f, size_t generator)
 {
     for (size_t i = 0; i < f->toucheds; i++)
         fmb_facet_put_on(&f->facet[f->touched[i]], generator);
-    FMB_TRY(replace_facets_that_see(f, generator));
+    FMB_TRY(replace_visible_facets(f, generator));
     for (size_t i = 0; i < f->seens; i++)
         fmb_facets_close_slot(f, f->seen[i]);
     FMB_TRY(forget_values(f));

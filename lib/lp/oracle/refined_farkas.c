@@ -275,7 +275,7 @@ static bool list_columns(refinement *t)
 
 /* Leave out rows whose multiplier, in y, seems to be 0. False: the other rows and their columns
  * differ in number, or one of these rows is a unit or off. */
-static bool keep_rows_that_count(refinement *t)
+static bool keep_rows_with_multipliers(refinement *t)
 {
     size_t kept = 0;
     double most = 0;
@@ -306,7 +306,7 @@ static fmb_status prepare_basis(refinement *t, const size_t *basis, bool *good)
     *good = find_inverse(t);
     if (*good) {
         multiply_by_inverse(t, t->c);
-        *good = keep_rows_that_count(t);
+        *good = keep_rows_with_multipliers(t);
     }
     fmb_status st = fmb_run_poll_now(t->run);
     if (st == FMB_OK && *good && t->size < t->n)

@@ -134,7 +134,7 @@ typedef struct answer {
     double world[2 * FMB_GENERAL_MOST_DIM], inside[2 * FMB_GENERAL_MOST_DIM], time[2];
 } answer;
 
-static bool bound_what_is_asked(boxer *b, const fmb_pair_answers *out, answer *to)
+static bool bound_requested_ends(boxer *b, const fmb_pair_answers *out, answer *to)
 {
     bool good = true, moves = b->p->speed || b->q->speed;
     for (int i = 0; good && out->world && i < b->p->dim; i++)
@@ -170,7 +170,7 @@ bool fmb_general_answer(fmb_general *g, const fmb_frame *p, const fmb_frame *q,
     for (int j = 0; j < g->pair.columns; j++)
         b.sum[j] = g->vertex[j];
     b.size = fmax(largest_corner(p), largest_corner(q));
-    bool good = b.size > 0x1p-900 && b.size < 0x1p900 && bound_what_is_asked(&b, out, &found);
+    bool good = b.size > 0x1p-900 && b.size < 0x1p900 && bound_requested_ends(&b, out, &found);
     if (good)
         write_answer(&b, &found, out);
     return good;

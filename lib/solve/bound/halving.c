@@ -149,7 +149,7 @@ static void order_by_shared_rows(split *d, int *column, int columns)
     }
 }
 
-static fmb_status bound_columns_left(split *d, int *column, int columns);
+static fmb_status bound_remaining_columns(split *d, int *column, int columns);
 
 /* Eliminate the n columns others[] and bound column[0..columns). */
 static fmb_status bound_first_half(split *d, int *column, int columns, const int *others, int n)
@@ -164,11 +164,11 @@ static fmb_status bound_first_half(split *d, int *column, int columns, const int
         n = 1;
     }
     FMB_TRY(eliminate_columns(d, others, n));
-    return bound_columns_left(d, column, columns);
+    return bound_remaining_columns(d, column, columns);
 }
 
 /* Bound column[0..columns), which are all remaining columns. */
-static fmb_status bound_columns_left(split *d, int *column, int columns)
+static fmb_status bound_remaining_columns(split *d, int *column, int columns)
 {
     fmb_mark mark;
     int half = columns / 2;
@@ -228,7 +228,7 @@ fmb_status fmb_bound_by_elimination(fmb_query *q, int part, fmb_box *box)
         st = bound_each_from_start(&d, column, asked);
     } else {
         FMB_THEN(st, eliminate_columns(&d, column + asked, d.p->n - asked));
-        FMB_THEN(st, bound_columns_left(&d, column, asked));
+        FMB_THEN(st, bound_remaining_columns(&d, column, asked));
     }
     fmb_status saved = st == FMB_LIMIT ? fmb_outer_from_rows(q, d.p, &d.e, box) : FMB_OK;
     fmb_elim_clear(&d.e);

@@ -281,7 +281,7 @@ static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
 /* ---- at a limit ------------------------------------------------------------------------------ */
 
 /* Bound the remaining parts, from c on, by ends of variables; *bounded: all have a bound. */
-static fmb_status bound_parts_left(ascent *a, int c, bool *bounded, fmb_verdict *verdict)
+static fmb_status bound_remaining_parts(ascent *a, int c, bool *bounded, fmb_verdict *verdict)
 {
     fmb_status st = FMB_OK;
     *bounded = find_endless_variable(a) < 0;
@@ -309,7 +309,7 @@ static fmb_status settle_for_outer_end(ascent *a, int c, fmb_verdict *verdict)
     a->exact = false;
     fmb_status st = a->lost ? FMB_OK : open_optimum_claim(a);
     if (st == FMB_OK && !a->lost)
-        st = bound_parts_left(a, c, &bounded, verdict);
+        st = bound_remaining_parts(a, c, &bounded, verdict);
     if (*verdict == FMB_INFEASIBLE)
         return st;
     if (st == FMB_OK && bounded)

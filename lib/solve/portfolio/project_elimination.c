@@ -9,7 +9,7 @@ bool fmb_has_rows_in_plenty(const fmb_part *p)
     return p->m >= 64 && p->m / 8 >= (size_t)p->n;
 }
 
-static fmb_status eliminate_columns_that_go(fmb_part_elimination *h, bool feasible)
+static fmb_status eliminate_dropped_columns(fmb_part_elimination *h, bool feasible)
 {
     fmb_query *q = h->q;
     bool *drop;
@@ -45,7 +45,7 @@ fmb_status fmb_put_rows_of_elimination(fmb_part_elimination *h, fmb_elim *e, fmb
 fmb_status fmb_project_by_elimination(fmb_part_elimination *h, bool known, bool *feasible,
                                       bool *done)
 {
-    fmb_status st = eliminate_columns_that_go(h, known);
+    fmb_status st = eliminate_dropped_columns(h, known);
     st = fmb_put_rows_of_elimination(h, &h->e, st, known, feasible, done);
     fmb_elim_clear(&h->e);
     return st;

@@ -231,7 +231,7 @@ void fmb_queries_close(fmb_queries *h)
 }
 
 /* Append the rows proved so far, and claim the points found: an inner approximation. */
-static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
+static fmb_status put_proved_rows_and_points(fmb_queries *h, fmb_system *out)
 {
     if (!h->begun)
         return FMB_OK;
@@ -316,7 +316,7 @@ fmb_status fmb_queries_put(fmb_queries *h, fmb_system *out, fmb_status st)
     if (put != FMB_OK)
         return put;
     fmb_facets_clear(&h->s.hull);
-    put = st == FMB_LIMIT ? keep_what_is_proved(h, out) : put_all_support_rows(h, out);
+    put = st == FMB_LIMIT ? put_proved_rows_and_points(h, out) : put_all_support_rows(h, out);
     return put == FMB_OK ? st : put;
 }
 
@@ -334,7 +334,7 @@ static fmb_status ask_on_and_keep(fmb_queries *h, fmb_system *out)
     h->s.hull.most_pairs = pairs > 0 ? h->s.hull.pairs + 2 * pairs : 0;
     fmb_support_want_outer_rows(&h->s, 0, SIZE_MAX);
     fmb_status st = h->k > 0 ? fmb_support_ask(&h->s, pairs, &done) : FMB_OK;
-    return st == FMB_OK || st == FMB_LIMIT ? keep_what_is_proved(h, out) : st;
+    return st == FMB_OK || st == FMB_LIMIT ? put_proved_rows_and_points(h, out) : st;
 }
 
 /* May the query continue after its limit? Then *why is its stop, to be restored afterwards. */
@@ -355,7 +355,7 @@ fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out)
     if (!h->begun || h->q->put_out)
         return FMB_OK;
     if (h->s.ended || !go_on_behind_limit(h->q, &why))
-        return keep_what_is_proved(h, out);
+        return put_proved_rows_and_points(h, out);
     h->run->stop = h->q->run.stop;
     h->run->deadline = h->q->run.deadline;
     fmb_status st = ask_on_and_keep(h, out);

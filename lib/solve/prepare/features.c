@@ -49,7 +49,7 @@ static void note_row(const fmb_reduced_part *h, const fmb_derived *r, fmb_featur
     f->has_origin &= holds_at_origin(r, n);
 }
 
-static void note_rows_left(const fmb_reduced_part *h, fmb_features *f)
+static void note_remaining_rows(const fmb_reduced_part *h, fmb_features *f)
 {
     const fmb_elim *e = &h->e;
     f->rows = e->live.size;
@@ -80,7 +80,7 @@ fmb_features fmb_features_of(const fmb_reduced_part *reduced)
     fmb_features f = {.kept = count_kept_variables(reduced), .variables = reduced->p->n};
     f.is_wide = has_wide_row(reduced->p);
     f.columns = (size_t)reduced->p->n - (size_t)reduced->e.rounds;
-    note_rows_left(reduced, &f);
+    note_remaining_rows(reduced, &f);
     f.least_growth = SIZE_MAX;
     for (int j = 0; j < reduced->e.n; j++)
         if (reduced->drop[j])

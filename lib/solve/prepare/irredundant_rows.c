@@ -81,7 +81,7 @@ static fmb_status put_irredundant_row(remains *h, size_t k)
 /* ---- what is irredundant --------------------------------------------------------------------- */
 
 /* List the live rows for the oracle. */
-static fmb_status list_rows_left(remains *h)
+static fmb_status list_live_rows(remains *h)
 {
     fmb_arena *arena = &h->q->v->arena;
     size_t m = h->e->live.size;
@@ -161,7 +161,7 @@ static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
 }
 
 /* Append the irredundant rows. */
-static fmb_status put_rows_that_stay(remains *h)
+static fmb_status put_irredundant_rows(remains *h)
 {
     for (size_t k = 0; k < h->e->live.size; k++)
         if (h->fate[k] != FMB_FATE_REDUNDANT)
@@ -182,12 +182,12 @@ fmb_status fmb_irredundant_rows_append(fmb_query *q, const fmb_part *p, const in
     bool inner = false;
     if (e->live.size == 0)
         return FMB_OK;
-    fmb_status st = list_rows_left(&h);
+    fmb_status st = list_live_rows(&h);
     FMB_THEN(st, sort_rows_by_guess(&h, known, feasible, &inner));
     if (st == FMB_OK && *feasible && !(inner && are_all_fates_known(&h)))
         st = ask_oracle_about_rows(&h, feasible);
     if (st == FMB_OK && *feasible)
-        st = put_rows_that_stay(&h);
+        st = put_irredundant_rows(&h);
     close_remains(&h);
     return st;
 }

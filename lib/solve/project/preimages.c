@@ -23,7 +23,7 @@ struct fmb_preimages {
 
 /* ---- programs -------------------------------------------------------------------------------- */
 
-static fmb_status number_columns_that_go(fmb_preimages *l, lifted_part *h)
+static fmb_status number_eliminated_columns(fmb_preimages *l, lifted_part *h)
 {
     fmb_arena *arena = &l->q->v->arena;
     h->column = fmb_arena_get(arena, (size_t)h->p->n, sizeof *h->column);
@@ -59,7 +59,7 @@ static fmb_status open_lifted_part(fmb_preimages *l, lifted_part *h, const fmb_p
 {
     fmb_integers z = {0};
     *h = (lifted_part){.p = p};
-    fmb_status st = number_columns_that_go(l, h);
+    fmb_status st = number_eliminated_columns(l, h);
     fmb_program_init(&h->program, l->q->run.mem, h->n);
     FMB_THEN(st, fmb_integers_init(&z, (size_t)h->n + 1, l->q->run.mem));
     for (size_t i = 0; st == FMB_OK && h->n > 0 && i < p->m; i++)

@@ -13,7 +13,7 @@ fmb_smt_reading fmb_smt_reading_of(const char *text, size_t size, const fmb_read
 }
 
 /* Discard all that was read, but keep the facts. */
-static void forget_what_was_read(fmb_smt_reading *g)
+static void discard_system_read(fmb_smt_reading *g)
 {
     if (!g->s)
         return;
@@ -25,7 +25,7 @@ static void forget_what_was_read(fmb_smt_reading *g)
 fmb_status fmb_smt_reading_begin(fmb_smt_reading *g)
 {
     g->c.where = &g->at;
-    forget_what_was_read(g);
+    discard_system_read(g);
     fmb_smt_begin_reading(&g->facts);
     FMB_TRY(fmb_system_new(0, g->silent.mem, &g->s));
     return fmb_smt_init(&g->r, &g->c, g->s, &g->facts);
@@ -34,7 +34,7 @@ fmb_status fmb_smt_reading_begin(fmb_smt_reading *g)
 void fmb_smt_reading_drop(fmb_smt_reading *g)
 {
     size_t tokens = g->c.tokens;
-    forget_what_was_read(g);
+    discard_system_read(g);
     fmb_smt_facts_clear(&g->facts, g->c.mem);
     g->c = fmb_io_cursor(g->c.begin, (size_t)(g->c.end - g->c.begin), g->c.how, g->c.mem, NULL);
     g->c.tokens = tokens;
