@@ -40,189 +40,189 @@ typedef struct tree {
 
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 19118 problems of 91 families, seeds 1 to 199029, ways as of commit c32b56bf.
- * Time over that of the best method alone: 1.120 on families seen, 1.220 on others. */
-static const int START[FORETOLD_COUNT] = {-2358565, -455776, 1008402, 635990, 23796};
+/* 19674 problems of 91 families, seeds 1 to 280052, ways as of commit 93a3b18d.
+ * Time over that of the best method alone: 1.147 on families seen, 1.251 on others. */
+static const int START[FORETOLD_COUNT] = {-1931183, -1088838, 1529987, 237732, -252140};
 static const short WEIGHT[FMB_FEATURE_COUNT][FORETOLD_COUNT] = {
-    {7987, -2585, -2772, 3658, -122},
-    {1035, -1478, -213, 994, -139},
-    {-2844, 2828, -264, 611, 102},
-    {-2648, 1060, -247, 560, 1},
-    {-1708, -255, -1771, -255, 140},
-    {1768, 809, 604, 170, 256},
-    {-5302, -6472, -1427, 753, -766},
-    {-10198, 6491, -2329, 415, -1014},
-    {-733, -2717, 2042, 199, -9},
-    {-268, 4624, 5721, -13750, 4885},
-    {3270, -1425, -1448, -663, -64},
-    {-4854, -1877, 2507, -690, 437},
-    {672, -79, 1653, -299, 12},
-    {99, -504, 556, -113, -18},
-    {-113, 569, 479, -273, 46},
-    {1024, -652, 1311, -2081, -152},
-    {2641, -37, 1147, -823, -18},
-    {1364, -1289, 1664, -998, 108},
-    {1126, 154, -128, -512, 70},
-    {-389, 1404, -1743, -2, -28},
-    {4821, -508, -490, 181, -136},
-    {284, 205, -285, 328, 227},
+    {7110, -1841, -3039, 4055, -200},
+    {1626, -1489, -225, 1199, -162},
+    {-3345, 3400, -349, 765, 351},
+    {-2802, 1206, -459, 682, 65},
+    {-1095, -372, -1429, -238, 95},
+    {913, 1213, 739, 158, -63},
+    {-4707, -5739, -2571, 1463, 119},
+    {-8302, 4385, -1696, -1328, -861},
+    {-726, -2297, 1597, -22, -45},
+    {-8847, 4122, -1356, -13220, 103},
+    {3083, -983, -2020, -508, -267},
+    {-4071, -2656, 2445, -1208, 490},
+    {850, -415, 1646, -521, -36},
+    {303, -460, 472, -108, -35},
+    {-14, 466, 478, -347, 102},
+    {1938, -1543, 1268, -2360, -110},
+    {2365, 5, 1230, -791, -54},
+    {2545, -1434, 1370, -1076, 72},
+    {617, 411, -335, -203, 41},
+    {-826, 1623, -1734, 48, 133},
+    {4634, -289, -841, 203, -52},
+    {126, 567, -483, 699, 186},
 };
 static const tree TREE[] = {
-    {{{14, 2217}, {6, 55}, {14, 1360}, {19, 992}, {0, 384}, {7, 16}},
-     "mmmmmmmmmmmmmmmknmnmrtglnooilknshknoqjmlmmmmmmmmmmmmmmmilnmmooplojrmllroohmmqmklmlmpmsjlnmknl"
-     "ommmnnmmkonmmkgmmjjqonjnjmmlnmommnlkmjmjmmjnlmmjrpmmgsrmmpkojmomnkmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmnjnonfmrnnqglpnmjkrnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmqkommmmmmsknpmkplqmsnlomjpqmnxglnmvllnm"},
-    {{{14, 2396}, {6, 55}, {5, 345}, {11, 134}, {5, 530}, {8, 99}},
-     "iqmsmhplmkmmmmmmmmmmmhmkmpikmmmmmmmmmmmmmslplorpjnmmmmmxiolmrthmnlvfjnmprhmslokmojolmnokmlmmm"
-     "mmmmmmmohojnnknlnmmmmmmmmmmlnlnmnnmlmnmmlmokommpmnlnlmkmmgonnlhhnrmmmmmmfelqnmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmrljpmqjlpmmmmmmmmmmmxjiomwmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mkmmomslmmmjmipmrllmmollmmmmmmmmmmmmmmmmm"},
-    {{{14, 2307}, {6, 68}, {14, 1248}, {5, 530}, {19, 1024}, {0, 384}},
-     "nmmmmlnmolpphllnrilmmmmmmkkmnmmmmmmhijmnmmmmmhnmnmjqolnmqmkmmmmmmliqonrmolmskrkmrklnmnlmmmojk"
-     "nmnkmnmjkonmfmnmmhknpmgkqqmmmkmmknmmmhqrmmoknjmmnnmmmmlnmlqnmmoknlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmjmnmmkloonpjkpmmmmmmmmmmmpllmmmgmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmlnmnmnnmmmsjnnmpmkomknjpmsiknmpiiom"},
-    {{{12, 1988}, {4, 563}, {0, 640}, {11, 119}, {7, 21}, {12, 1040}},
-     "ilknmrlolmmnmnmjojlmlpjmmklmnmnlnlmokmmmlnmnmpsjnmhsopmptkpmvmnjmgjplmplnkmjjmkmhgmmmilpnmmjn"
-     "lmmkmnmmmmmmdjnrloklmmskmlmmmmmmmmmmmjqlqlipkqmmmmmmmmmmmmmmmmurkommmmmmhsgjmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoqiommmmmmomkmmmmmmmjklpmmmmmmmmmm"
+    {{{14, 2304}, {6, 57}, {2, 1104}, {19, 1056}, {11, 118}, {0, 576}},
+     "innomismsmlmmllkjnkmnulklooopmlvfjmrqkpmmmmmmmmmmmmmmmmmmmmmjlojnrlnlmkkmomwmsgmlllmmktlpmmmm"
+     "mmnlmkmomokmupknmglnpmfhpqmmmmmmmmmmmmmmmmmmmmmepjimmmmmmmmmmmmmmmmmmmmmkmmnmmmmmmmmmmmkklrnl"
+     "mlom}jlolnlmmmmmmmmmmmmmmmmmmmmmmmhbmrnmmmmmmmmmmnimlmtleqmeqmpmpniolmmmmmyjmnlqmjomfhpqlulnk"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2217}, {3, 1304}, {8, 146}, {14, 1760}, {5, 493}, {1, 960}},
-     "nlmnmnnnlmimnnmjmpnnknmlmlmlknmmmkmokpompklmnnqillmmlpmqnllmiqommgrjlmkmnmmmlpnmqoknmorkmmnon"
-     "lmpqpjmjokqmnlnkmqohnmiphkmnonlmlqiljmmmmmmklnmlmnmmimrlnmmmmmolmmmmmmmmmmmmmmmmmmmmmmmlmmpmo"
-     "nlomukmnmvkjommmmmmmmmmmmmmmmmmmmmkorlmmplnmplnkmumlmmmmmmmmmmmmmmmmmmmmmmvlnlmqmipmqljmmrjkm"
-     "mmmmmmmmmmmmmmmmmmmmmlnpmniimonmmmmmhflnm"},
-    {{{5, 790}, {12, 1540}, {11, 98}, {0, 576}, {20, 0}, {15, 640}},
-     "lkmmmqnnkmlmmmmmmommnslomolmmnjolqmmnlpmomlmmnoklmlmnkmsmpnmmomlmrlolmmlojmtjqkmjlolmnpjjmqml"
-     "nmrmjmmqnklmyonjmpnjomommlmimntmejmrmfknnlbhlpmmmmmmdgoqmkmmmmmmmmmnmlomfmkmmtkopmhoipmnujnmm"
-     "mmmmrlllmmmmmmmmmmmkmmomknlnmmolommmmmmmmmmmmmmmmmmmmmnmmmmisjjmmmmmmnnkmmnmmmmjonkmmmmmmmmmm"
-     "mmmmmmnmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2396}, {19, 704}, {7, 21}, {5, 640}, {14, 1360}, {11, 134}},
-     "ppnkmppmklrpmqmqomrmmmmmmmmmmmkmmmmmmmmmqkplmqnokmmmnlmnjpkpmmmmmmmmmmmmmmmmmmmmmlonmknknmmmn"
-     "lmklnnmmlqmmglopmqmlmmnnmklmmlnlmllmmlommmnknlm]obgmnmnmmpnnmmjmnmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpikomullmmmmmmmmmmmmimjommmmm"
-     "mmmmmmmmmmmjklomplmlmmmmmmmmmmmmmmmmmmmmm"},
-    {{{6, 246}, {4, 563}, {13, 1056}, {7, 21}, {21, 0}, {11, 46}},
-     "jlommonnmmnllmmnmllmnknmmmnlmmmnmnmllnlmikqlnkkqomololmjnonm_nehmnskpmrkmlmglplnnmllmrnkmmijm"
-     "mmmlnmmngpjnnllnmjmmnmnmlmmjnnongklrmjkpnmhknpmujlmnnmknmmlnmnopmnmmmlmmmmmmmkoimmkolommmmmmm"
-     "mmmmlnmnmmmmmmponmmmmmmmrmnlmknnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmm"
-     "mnplnmmmmmmnojmmllmnmmmmmmmmmmmmmmmmmmmmm"},
-    {{{18, 1528}, {5, 680}, {3, 1072}, {0, 512}, {13, 896}, {7, 21}},
-     "lllomnmmlmjmqmniljknhmnmmllnnmmmjjmmpjolonnlmknnlmjloomomnmnnllmmmmmompnqjmspkmmjmkommmmmmklq"
-     "mmommmmopklminlnlspimmmmmmminnlmnmmmmjqllm^oejnmmmmmmmmmmjmmkmkmmmmkninmlnlmmmllkmmmmlmjnlnml"
-     "nmqmnnjomollmmslmlmmlnkmlnlnmmlnmmnmlomlllomrlkomolmnmjpiommmmmmqlnmmmmmmmiokommmmmmujnnmmmmm"
-     "mmmmmmmmmmmtljnmmmmmmmmmmmmmmmmvkjommmmmm"},
-    {{{1, 1352}, {4, 402}, {19, 1200}, {10, 133}, {11, 119}, {0, 512}},
-     "mmmnmknlnmnolmllomlmlliompmlnnnlknmnjnnmgpklmiojkmqokkmppjkmmnjommmmmmlqjlmlqllnllnlmnmmnmlmn"
-     "nmpkmmmnmmlmlqmplmkmlolinknnolmmqlkmmhjnpmklmnmlnplmrmnnmmnlmmlmmmmnlopmmmmmmskrrmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmplmlmmmmmmqlolmmmmmmmmmmmmmmmm{mnimmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mjgnnmmmmmmmkllnjkkmmkkqmoolnmmmmmmmmmmmm"},
-    {{{5, 323}, {19, 1056}, {6, 76}, {11, 134}, {0, 384}, {14, 1760}},
-     "nlmmmllmmmmjolmjjmllmmmmmmmmmmnkokmkjmkmslmlmnjmmmpkolmklnnmpnnlnmmmmmomnlmllmmmoljmkhmmmnimk"
-     "ojgjlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmoklmlknmlmkpmoliplommmmmml"
-     "mlmmlllnnniplnnllnmmnllmkmmnmmmlmmommommpnommnmmmmlnkmpoklmkoonnqonkmonnmmppklmmnknmlnllmrmkl"
-     "mmnmmmjqonmnkolmqjllmnjnpmjkmmlgloqmhjmmm"},
-    {{{19, 768}, {3, 960}, {5, 493}, {11, 46}, {20, 0}, {0, 512}},
-     "olnmmklonlmnmkmjonpmsnnlmomnlmplmkmmlmlmmnmmmlnmnmipllmkomomkooominnlmtnlqmmmmlmokokmjjqknmjn"
-     "lmjknnmolnllnlpmmmlmllknmnmmmmmmlnnlmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmjmmnnkmnnnjmjmmjlmnmmmknmk"
-     "nlnlkmjlmkkmlmkmnnnlpinnlnkmmlmmnmlmmomhmkomknmkmnmojmmkmmmpmnnmkmnmmnklpmnmjllmolmmipnlmnmlm"
-     "mknnkmmmllnplmmmrkjpmomnnmllnmmmmnnmpjomm"},
-    {{{12, 1988}, {16, 1552}, {2, 800}, {11, 192}, {5, 493}, {14, 1884}},
-     "nlmmmknmmmkmmnmolmmmolplonkmkmlmonmfpollnqlmmnnmlmomnlmolmmmmmnnnllnkmkllmmnkmommmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmjlkmkiinnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkmnnmhomnmlmnnmonkmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmipimmlllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqqkmmmnholmmmmmmmmmmmmmmmmmmm"
+    {{{14, 2206}, {3, 1352}, {12, 1264}, {11, 105}, {14, 1320}, {7, 21}},
+     "nkmnmnlmnljolmmkpmlmnqjmmomlnlnmnmmnknjnmjumndlflnompkmmnllndlpsnpmnnmehqolmkokmmmmmmlnlnmkmp"
+     "jnnqnkmmqkmnmnmmmnmmmmmmmmmhmkonpnhompsimmmpjlljmjnnqrkombiowmmmmmmmmmmmmmmmmnmkqmgonqmmmmmmm"
+     "mmmmvnqlmympklmmmmmmmmmmzjknlpmlnmmmmmmmmmmmlmlnlpmnmmmmmmmmmmmmjemqnilmqnmmmmmmmmmmpmkqmmmmn"
+     "mmmmmmmmmmmljknnijkommmmmmmmmmmhflqmmmmmm"},
+    {{{18, 1524}, {5, 497}, {11, 48}, {19, 960}, {14, 1360}, {0, 384}},
+     "rjmomljpmmllklmhonpmmkkonqjnlmjonmmnkmmmrmlnmnnmmlolljnmlmjnpmhmlnrjmlisolmopmjmikponjkolnkol"
+     "kmipjnmglnmmijpknksqlmpkmjmkmmrmjmlonnnoomilmnmlnnqmjlopnmmrpmriolmmmmmmmmmmmlmlkmbrnrmmmmmmm"
+     "mmmmgpnlmjnksmmmmmmmmmmmmnllmnmmmmmmmmmmmmmmmnnmmommlmmmmmmmmmmmmnilmisirmmmmmmmmmmmsnmmlvikn"
+     "mmmmmmmmmmmhrmllmnkmmmmmmmmmmmmopjmlonlnl"},
+    {{{14, 2376}, {6, 73}, {19, 1040}, {11, 118}, {0, 384}, {18, 1060}},
+     "nmlmljomlnkpnplfpnrmnmlmlmmmmmkknnnmhoknppkmlirpmnpomkmlpmmmpsglmlmmmmmpklmrlnklnkmnmnmlkmmlm"
+     "nmlnknmnmmpmononmmmmmmmllkmknmmnjqpnmmkpkmsimlmjknrmfjnnmekormhinnmmmmmmmmmmmmmmmmhmnmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmjmonmmmmmlhlqmmmmmmnnnmmmmmmm}jjnlmmmmmknlnmmmmmmhmknmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmqlkmmmmmmmllkmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{12, 1986}, {4, 560}, {18, 1392}, {5, 512}, {1, 960}, {19, 1040}},
+     "nlmmmploknnomlmlrkkmkmmmmnnnlmnjppnololmiomnmnmnnmgplomlnirmmoknmtjolmokiomtilnmoklnmoklmnnkn"
+     "lnlmlllilonmhkqnmmmmmmhkmrmlknlmjoqmmofnhmjhlomlmkkmokmnmmmmmmgjlpmmmmmmmmmmmmmmmmmmmmmmmmmmn"
+     "plmmmmmmmeqgkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjlnonmmmmmmmmmmmmmmmmqmmmmmmmmmmmn"
+     "mmmmmmfqmpmmmmmmmmmmmmmmmmqogommmmmmlmmnm"},
+    {{{19, 704}, {1, 1344}, {4, 384}, {7, 0}, {14, 1360}, {15, 384}},
+     "opnkmmmmmmponqmmmmmmpnokmmmmmmmlplnmmmmmpnmmmmmmmmonmmmmmmmmrlpmmmmmmmokolmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkomlmlnmomfqlnmlnknmlnmlmk"
+     "mkpmjnnlmoklnmlmonmmkpnmknkmmplolmmmmnmkmjmmmmlmmlonlmmmmmmmmmmmmmmmmskssmmmmmmmmmmmmmmmm}kpi"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmjjknnmmmmmlhomn"},
+    {{{6, 246}, {4, 560}, {15, 256}, {12, 928}, {7, 21}, {14, 2040}},
+     "nonkmlmmmmplolmfooplinkkminkmmmolnmirkqmkmlnmgplqmmmlmmiqnomnmolmpknlmlnjlmlonmmmmmmmmmmmmpjo"
+     "lmkknmmjlnmmmlmnmqlknnomjnmilmlmkhnmmmjnlmjjnmnhloomkknomnlmmmllnmmmmmmmkomnmmmmmmmmmmmksjome"
+     "ukrmmmmmmmmmmmmnlmmmmmmmmmmmmmmmmmomolmqnknmmmmmmmmmmmpnmmmmmmmmmmmmmmmmmmllmlmipfpmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmlqmnmrnjnlmmmmmmmmmm"},
+    {{{5, 790}, {14, 2241}, {19, 1296}, {8, 147}, {12, 1424}, {19, 1088}},
+     "mmmmmqlnkmilmkmkkonmlmknmmqmlmmmmmmhnkommmmmmqrklmmmmmmnoknmmmmmmnnnkmmmmmmgkkqminmomukmnmuio"
+     "lmrllmmlmkmmrnnlmmmmmmomlmmmmmmmpmkqmmmmmmqlinmmmmmmljmnmmmmmmeilommoiommmmmmolnkmktmkmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmhpglmmmmmmmmmmmmmmmmmmmmmkpipmmmmmmqmiomlnmmmmmmmmmmmmmmmmmmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2396}, {6, 246}, {11, 46}, {21, 0}, {6, 85}, {4, 512}},
-     "fjoknoiqjnjlmlmollmmqnnmmlnmnmmmmmmklnmmmnnmmmqkmlnmnnmnllnmmllmmnmmmmmnmlmjknnmmmmmmmmmmmmom"
-     "nmnommmmmmmmmmmmmomlmmnokmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknmnmkklnmlnnnmmnnmmmmmmmmmmmmskklml"
-     "kkomimlnmmmmmmmmmmmrlipmmmmmmmmmmmslmllmmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjnlnmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{0, 704}, {4, 554}, {12, 1040}, {15, 256}, {7, 21}, {14, 1328}},
-     "oqmlllolkmomnlmmmmmmlnkmmjmlnmlmlnllnmmmnoknmioimmkplollmklmnlnmmomnlmkmjlmnnmlmmmmmmnmmmmoko"
-     "kmnkmlmnnnmnmklmmmjolmlmlnmjlnnmkljmmnmnpmpljmmklonnlnmnmllknnmlnmmlmmjmmmmmmknmmlionlmmmmmmm"
-     "mmmmlmnmmmnolmlmmjmmmmmmmmmmmjolmmkrrhmmmmmmjkqnnmmnlmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmnnmmmmmmnmmmmmmmmmmmmompmollmm"},
-    {{{5, 790}, {18, 1366}, {1, 928}, {5, 544}, {7, 4}, {12, 1120}},
-     "mmmmnokplnmlmmmolmnnlnlmmmmnmmpnjnmjmllmjollmroojmmmmmmloklmokqpmkknnmpkolmmpmkmlmlmmmkolmlnm"
-     "mmlmnlmjpkmmolmmmmnlnmnmmmmnoismrnkmmnklnmlmknmlkkmmkkkommmmnmrlmnmmmmmmmmmmmmmmmmmmmmmjllnmn"
-     "oknmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgojkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmhnlmmmnlommmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmolkmmmmmmmmmmmm"},
-    {{{5, 790}, {16, 384}, {12, 1592}, {18, 568}, {0, 384}, {15, 384}},
-     "onmmmnmknmoonjmlmlmmqonpmkmknmkmomnimnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqnnmmomkmmmmn"
-     "mmmmmmmnmmmmlnnnmlmlmmnlmmmlmmnmjllomllmnnellrminpnmknlmmollmmokllmmmmmmmmmmmmmmmmmmmmmmmmmmj"
-     "kknmmmmmmanlpmmmmmmmmmmmmmmmmmmmmmmmmmmllmlmmmmmmjiolmmmmmmnlllmmmmmmlmnnmmmmmmmnjmmmnmmmomln"
-     "mmmmmmmnmmmmmmmmmmmmmmmmmmlqkmmmmmmmgrkkm"},
-    {{{7, 146}, {5, 336}, {14, 1328}, {18, 1366}, {1, 832}, {19, 928}},
-     "pmmmllllomomollllnnlmmmmmmmmmmmmmmmmmmmmollmmnmlmmmknlnjmkmkmllomlnmmmnllnmjllnnmmlnmllmmnmnm"
-     "mmlnmmmmmmmmmmmmmmmmmmmmmmmmmlkmnnolmlmnmnnmnlmknllmmmnmmmmlpmpllnmnlmmmmmmmmnjojmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmnlmlmmmmmmlmnnmmmmmmohokmmlmmmlknlnmmmmmmkplnlmnmmmmmmmmmmmmmmmmmmmmm"
-     "mlrnplmmmmmknnmmmmmmmkmnmmmmmmmlmnnmjnmnm"},
-    {{{1, 1352}, {0, 640}, {11, 170}, {19, 1200}, {10, 27}, {14, 2004}},
-     "kmmlmnmmnmnmmmmlnmlmmnmmmnmknmonmlmknmmmlmnnmhpmmmnlnmnllnmmlmlomgjlmmopkjmqnpkmnqmmmkmnkmjql"
-     "olkpmpmnmmmmmmmmmekmqmqjmkmijnmnmmmmmlmnlmqjmkmkqqimmmmmmlmmomnkmlmmmmmmmmmmmilqmmvlmqmmmmmmm"
-     "mmmmjlpmnoimmmmmmmmmmmmmkmmmmqmmommmmmmmmmmmmklmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmzlnjmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{1, 1352}, {17, 256}, {18, 346}, {1, 992}, {0, 576}, {11, 119}},
-     "mlmkmmkmlmmmmmmmlmlllolpmopkkmmmmmmkmnmnmmmmmlmmmmlqlomnknkmmmmmmkolnmlmnmmmlmmmmmmmmmmmmmmmm"
-     "mmnmlmmmmmmmmmmmmmmmmmnmomolnnnmmmlmmmnlomklinlikormllmomnjnnmmlmommmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "llmmmmmmmkmlnmmmmmmmmmmmmmmmmmmmmmlkpmnplopmmmmmmrlokmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmmmvmmkm"},
-    {{{0, 704}, {10, 42}, {11, 46}, {21, 0}, {7, 21}, {18, 1366}},
-     "hlnmmlnmnmfnhjmpmlmmnmnmmomlnmolmnmlnmnmlnkomklknmhkqnmomlnmmmlnmkmllmmnlmllokllomqmnnmommnln"
-     "mmpjmmmkmnnolkllmnmmnmknmnmmmnmmqnmmmmnmmmmlkmmnmlmmklmnmmlmlmjoollmmmmmmmmmmmmmmmmmmmmmnmmmn"
-     "mmmmnoolmjlokmlmmimmmmmmmmmmmmmmmmlqqimmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mlmmmmmmmmmjonnmmmmmmmmmmmmmmmmnomomomlmm"},
-    {{{12, 1988}, {0, 384}, {14, 1940}, {4, 457}, {12, 1024}, {1, 832}},
-     "nmlmmnnlommlommnnmlmpmlnmolmlmmllnmommlmlnllmjniomkomlmrllomkoommmlmnnjpommlmommlmlmmlnmnmomn"
-     "nmlmmnmmmmmmlknkmmlmmmonmlmknlomnlnnmnknlmoknlmlnmmmknmomollmmmmmmmmmmmmmmmmmmmmmmllknmmmmmmm"
-     "mmmmiolnmonmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkplnmmmmmmmmmmmmmmmmmmmmmlnjmmmmmmmmmmmmplmlmmmmn"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmolimmlmmmm"},
-    {{{19, 640}, {0, 512}, {12, 1040}, {18, 1160}, {3, 1040}, {15, 384}},
-     "pnnlmmmmmmmmnmmmmmmmolmkmmmmmmnknlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlnmnmmmmmmmo"
-     "lmmmmmmmnnnmmmmmmlmnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmlknmllnlnlmkllnmllml"
-     "mjmmmkllmknnmmknonnklonmlloomnmmmmlmklmlmnmmlmmlmlnnmmlnmmlklmnmllnlmkmmnmmlmnmnlmnmjnmomnnln"
-     "mkojnmpoimmlnmnmommmmmlkkmololmnlknmqklmm"},
-    {{{6, 246}, {13, 896}, {0, 576}, {3, 1104}, {15, 576}, {14, 1416}},
-     "mmmmmmmmmmmlknlmmmnmljnlmllmlmnmmlmmnnmmlnmmmllmmmkllnmrkpjmmmnnmlnmnmhknpnrmmlmkmommllnlmoln"
-     "mmmmmmmmlmnmmmnnmkmkmmknlmmmpklmqmlkmmmmmmnmmlmmqlnlpmlmmoomkmnonlmmomnmlokmmmmmmmfqjqmmmmmmm"
-     "mmmmmmmmmmmmmmlnmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmnmmnmmmmmmmnmnlmnmllmlmonkmmkmlmnnplm"
-     "mnpknmqnjlmmmmmmmmmmmmmmmmonkmmmmmmmlmmlm"},
-    {{{6, 246}, {18, 1539}, {13, 800}, {7, 21}, {8, 0}, {18, 652}},
-     "fjlknhomomnmmmmmmnmmlmnmmkonlmmmmmmmmmmmmmommlmnmmononmkmmlmfnhjmomnommolnmpmmmmmmmmmioknmmmm"
-     "mmtilmmmmmmmllmnmmmmmmmnmommmmmmolnmmmmmmmnmmmmmmmmmlmnmmmmmmmlnnmmjnlnmloklmmmmmmnmmmmmmmmmm"
-     "mmmmmmmmmmmmmmlnlnmmnmlmmmmmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmipknmmmmmmmmmmmmmmmmlnmmmmmmmmmmmm"
-     "mmmmmmollnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{10, 170}, {11, 119}, {4, 402}, {5, 369}, {8, 109}, {21, 0}},
-     "komomllmlmmmmmmmmmmmmlmmmlmmmmljnomllknmnkmlmmnlommmlmmllmmmlmmmmmmmmmnnmlmommlmmnmnmonmmnmmm"
-     "mmmmmmmpmnnmmnmlmnnllmnnklmkjmkmnlmlnmmmmmnjlnmqllnmknommgknomjkmnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmkoipmolnllmmnnmmmmmmonlmmisnnmlnmmmjqnmmjnlmmmmmmmmmmmmmmmmmlommmmmnmmmlmnmmlommljmo"
-     "nmlmmmmmpkommmmmmkolommmmmkmnmnmnmmmiinln"},
-    {{{5, 790}, {16, 384}, {19, 1072}, {8, 69}, {1, 928}, {18, 1160}},
-     "lnmklmnmkmomnkmmmmmmlmnmmmmnmmknoomsmmpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmmmmn"
-     "mmnmmmmmmlnmmmmlmllnnmmmlmmlmmnmnmlmmikmmnlmlnmplnlmmnommnnmmmlmlmmhllomgolnmjknnmhmkmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmkinkmmlmmmmmmmmmmmmmmmmmmmmmmmmnknmnmmnmkmllmqmllmmmmmmmmmmmmmmmmmmmm"
-     "mnqmmmjomnmjpjmmmnmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{6, 146}, {5, 512}, {18, 1338}, {11, 46}, {16, 832}, {7, 16}},
-     "jlmnnlmnmmllmlmnllmmlmllmmmmmmnnllmlmlmmkmmmmmmmommmlmmmlmmmlkllmllknmmnmmmlnnmmmllnnmnmnmtnr"
-     "kmqmolnolnnmoklnnllmnmnnnlmlllmmmmmlmskmmlollmmmlnnmnkllmlkmmlnmmlmlnnnnnnnomkmnnnmlonnoommmo"
-     "monnlnmnmmmnnnlmklmnnmkmjpmnmnmmmmrmlpmolmlmllmmmomllmmnmmmlmonmmmnmmhmjkmmmmlmmmkmmknlommlpo"
-     "mmmmmmipmlmmmlmmomnmmjommmjmnmmimmmmnlknm"},
-    {{{2, 1024}, {3, 1336}, {8, 187}, {12, 832}, {7, 46}, {11, 134}},
-     "jnmommnmmmnmnmmnknmnmmmmmmnmmmmmlmmmkmmmmnlnmnlmmmmmmmmmmmmmonmmmmnkmmmmmnmmmmmmlnmnmmmmmmlnm"
-     "nmmmmmmlnlmmlmlmmmllnmrnlmmlnlnmmmmmmmmmmmmmmmmlnplmkkmnmmmmmmmmmmmqjmlmulnkmmmmmmllmnmjmmlml"
-     "nllmmmmmmoolnmmnkommmlmmmmmmmmmmmmmmmmmiolmnmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmlljnmklmmmkmlnmmmmm"
-     "mmlmmmmmmmmmmmmmmmmmmnjnmmmlmmmmmmmmmmmmm"},
-    {{{7, 146}, {9, 0}, {3, 1072}, {14, 992}, {21, 0}, {10, 107}},
-     "nmmnmommllmmkmloomkmmlmmmmllmmmmmmmlmmmmlmonmnlnknjklmmlknmmmmlmmmonmmnmmmmmmmnmjnnlmmmmmmnnl"
-     "mnmnlmlkkmpmjllmljmkmlknjmlmmmmmmmmmmmmmmmmmmmmkjnnmqkmkmkmkkmklllnmlnkmomnlmmmmmmnmnmmmmmlmm"
-     "moommmmlmmnnommmmkmmmnlmmmmmmmmmmmnlnmmljojnklolmmnnnmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmml"
-     "nmmmmmmmmmmmmmmmmmmmmmmmmmmmlomlnlnmmmmmm"},
-    {{{5, 790}, {11, 237}, {12, 1368}, {18, 568}, {2, 800}, {4, 448}},
-     "mmmmmnlmmmnnlmmmnmmmmmmmmmmmmmnmnlmnmnmmnmnmmimkomflnpmmmlmmplnmmlmmmmmjmlmomllmmnnnmomnmmkkj"
-     "mmmmmmmjnolmiksmnklqommmmmmlmnmmrmmlmmmmmmkppjmipnlminmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkllnmm"
-     "mmmmeokommmmmmlmmnmmmmmmmmmmmmmmmmoknmmmmmmmlnllmpolmmmmmmmmmmmmmmmmmmmmmmlnlnmmmmmmmlmnmmmmm"
-     "mlmmmmmmmmmmllmmmmmmmlmmmmmmmmmmnkmmmmmmm"},
+    {{{5, 336}, {6, 73}, {4, 336}, {7, 16}, {15, 512}, {14, 1360}},
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjjmlnmiolmkjmmmlmlokimknlmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmpnmmmqnlnmmmmmmmmmmmqlnllnjmlmmmmmmmmmmmmmmmmmmmmmmjpnm{koimmmnlml"
+     "mnlmljmonphpmmmmmmmmmmmmmojmnqnmlmkpmpmkompmnplmlnonlmlnllmkpmomlllomkmkmmnomkmklplnlklnnoimk"
+     "mlloomlmlmmmjonmolommmmmnmnmllmjmhlmlpnmm"},
+    {{{6, 241}, {0, 576}, {15, 704}, {14, 1890}, {12, 1232}, {11, 105}},
+     "nlmmmmlmmmkkmlnlmoqmknmmmnmnlmnlmlmhmmmlnomlmnrilmrqnkljlkommlonmnmnnmmllnmhjlqmnpnnmlmmlmstj"
+     "nlpomlmfnnpmnkmkmnqkpmmmmkmmmmpmrjplnsnnkmcmprnknlnmrlmmmtkkmmlhmmmlolnmlmmnmnnomminonmirkoml"
+     "nlmmqmlmmjpnllmmmmmmmmmmgonkmlmlmmjnmnmmmmmmmmimmmokmmkpmmmmmmmmtrilmmmmmmknmmmmmmmmjsjommmmm"
+     "mmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{12, 1986}, {0, 384}, {18, 1392}, {19, 992}, {7, 11}, {1, 896}},
+     "kmnnmqmormomlmmplmlmmnommopmmmkmknmmnkmlkmlllllkomnmlkmpimmnlnolmnljnmhprmmlknlnmnlmmjlnnmmlm"
+     "lmmnnmmokplmmlmlmmmmmmmnmmmkolpmikknmjnmomklnmmrjnmmllkpmoklnmnkkommmmmmmmmmmmmmmmmmmmmirlomk"
+     "oknmjlonmmmmmmmmmmmmmmmmmmmmmmmmmmirlpmmmmmmjnmommmmmmmmmmmmmmmmmmmmmmmmmmqlmkmhnjkmmmnlnmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmqkinmmmmmmpnkmmmmmmm"},
+    {{{12, 800}, {15, 256}, {14, 2040}, {19, 1136}, {5, 533}, {11, 67}},
+     "nlommpmolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmminoolnllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkknnlnlmmmmmm"
+     "mmjknpncgkinnmmlmmmmmmmmmmmhnnpnkomnmlmmmmmlmnmepmqmmmommmmmmmmmmmmnnlmmnmmmmhpmnmlqknmjmnnmm"
+     "mmmmokmkmmmmmmiplpmlmnmmgskpmnmmmmkmlnnmmmmmmmhnmmmmmmnlmnmlmlmmllmlmmlnmmonmmmopkkmlonlmllno"
+     "mkmmnmlnnkmollmmnnmnmmmmnmpnplmrllmmgjnnm"},
+    {{{5, 790}, {16, 384}, {14, 1232}, {12, 1592}, {15, 768}, {5, 512}},
+     "oomkmlmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmononnhmonmmmmmmmllnmmmmmmmmmmmmmmmmmmmmmmmmnmkmonmnsk"
+     "lnllkmnmljpmimlqmmmlmmflnqmmmmmmnmmmmkmmmmvmpkmkommmlmmmmmllmmhjmqmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmjnmnmmmmmmgjnmmmmmmmmmmmmmmmmmkhnlmmmmmmmnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmpoknmmmmmmokjlmmmmmmmolmmmmmmmjsjlm"},
+    {{{4, 384}, {10, 135}, {11, 118}, {0, 512}, {14, 1780}, {7, 0}},
+     "kmpnmlmlmmnllnmlkklmpmklmklmomkpkomhnmnmknnmmnpmmlpnmnlmmklmmnmlmmmmlmpnkjmmklllhnjqmpllmmili"
+     "nmonkommmmmmlmmmmmmmmmmlmmmlllomollmnlmlmmnlkommnlkmlmmonlnllmpjommnmommklllmmmnlmmmmkmukojmn"
+     "mmmmpllnmmmlomknkpmnllmnflnnmloollelnpmnnmlmljmmmsjmlmqmklnonmmlkppmmlnolmoonlmmpmpkmnommmpmq"
+     "mnmllmmknlnlmlmmilmjnnnmlmljnmmlmnmmkjmkn"},
+    {{{5, 346}, {8, 51}, {16, 896}, {14, 1320}, {0, 512}, {13, 800}},
+     "omnmlmmmmmnlnmmmmmmmnkmlmmmmmmnknmmklmmmmjqlnmmmmmliplnlmmmnngnknmmmmmlinkmllmnmqnnmmmmmmmnnm"
+     "mlmmmmmnmmnmmmmmmknmpmmmmmmmjlmlmmmmmkjnommmmmmkllmmmmmmmllkqlmmmmmmmnnnhmplmklnmmonllmmnllmn"
+     "lnlmjononookmmklllmillnmklmmmqrlolmnmmmlnlmmklmnmonknmnmkmmmmponknmommmllmmlmmmlkokmmknmmpljj"
+     "momklmmmlomlmlmmqophmmoolmimnmmpmlmmtkojm"},
+    {{{0, 640}, {15, 576}, {10, 49}, {7, 21}, {13, 800}, {14, 1360}},
+     "kllnmiplommlpnmmmmmmnmlonlmmmmdmgimommmmnnkmmlklmmplpmnmkmkmmlmmmmmmlmnnlpmpllmmqoiknrmmlmmmn"
+     "nmlmlmmoolmnskkmm_qckmknnmmmmmmmlmnnmpnmlmqomlmlmlnlknmmmqpmimqoolmlmnkmlnmmmmnlmmppllmoommml"
+     "nolmnommmlnmkmknlmmnnlmmmmmmmqnmkmkpmnmjomommqlnmoolommmmmmqmnlmlqrflmmmmmfjnmnplmlmmmmmmmmmm"
+     "mfknqmvkmjmmmmmmmmmmmlomnnpmmlmqnlomommmm"},
+    {{{1, 1344}, {19, 1216}, {4, 409}, {10, 135}, {11, 118}, {6, 81}},
+     "knnommmmmmkommlmnmlmjpkomklkommkmnmnmkmmlmmmmmlmmmojmlmlmnmmlnnnmnomnlljnkmmmmmnqkmmmjmklmopj"
+     "lmmmmmmnnkommmmmmkqkkmmmmmmonlmmnnlmmommlmhkmqmnmommmmnmmmmmmmmmmmmmmmmmmmonmmmmmmplppmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmomnmmmmmmmtmllmmmmmmmmmmmmmmmmslokmmmmm"
+     "mljomnmmmmmkkmnmmmmmmolnnnmmmmmmmmmmmmmmm"},
+    {{{6, 254}, {14, 2206}, {0, 640}, {11, 118}, {5, 533}, {1, 960}},
+     "mmmmmmmmlmmmmmmmlplmnlmmmlollmlnlnmkknomnrmpmpqmmmpqlmmsnklmmmmmmnnmnmjlplmmmpjmolmnmmllnmplm"
+     "mmpkjmmonplmrklomjommlhllomglnmmkmnjmnnmmmmmmmmqllmmomlmmlmmlmokmkmnnmnmmmmmmmolmmmlmlmmmmmmm"
+     "mmmmmmllmmmmmmmmmmmmmmmmnolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqmlomqoknmmmmmmmmmmmmnmmmmmmm"
+     "mmmmmmmmmmmlmmlmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{19, 1384}, {8, 147}, {14, 1780}, {0, 384}, {1, 832}, {19, 1088}},
+     "nmmnmmlmmmmmnmmppnmmlmmmmokolmlmnmmnmmmmlnnlmhqonmqkknmnnlmmlmmmmqklmmmlmmmnlmmmolkmmkkhmnmlk"
+     "nloolnlllmmnmknmnmlklmoomlmkpommgopnmlmkmmlommmkmnlmolnkmmkkmmknnlmmmmmmjqmnmmmmmmmmmmmmmmmmq"
+     "lllmmmmmmpnkmmmmmmmiolpmmmmmmmmlmmmmmmmnminmmmmmmmkiommmmmmmmmmmmmmmmnljmlmmmmmmmmmmmmmmmjlkn"
+     "kmmmmmlnmmmmmmmmlknmommmmmmmmmmmmmmmlkmnn"},
+    {{{19, 768}, {15, 256}, {12, 1040}, {0, 512}, {18, 1392}, {4, 451}},
+     "onnlmplnlmlmmnmnmmlnnmnmmllnlmjnnllknnommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpnmomnlnlmmnm"
+     "nmmmmkmnmnlmmmmmmlnnommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmommlmlnnnmnmlmmlmmkmm"
+     "mmlmlmmlmlnmommnlmmmmmmmkomomlmjmmholmmlpkomionnmkoknmlmlnmmmmmmkmkmmlnnlmlmmmmklnmmhpmqmkmnp"
+     "mnmommlmmmmolmlmlmnmmolllmqmlkmmnlnmqklom"},
+    {{{0, 704}, {4, 570}, {12, 832}, {14, 2065}, {8, 85}, {21, 0}},
+     "mmnmmmmnlmmmnnmlmlnmgqmsmkonpmmmmmmlnkomkmlmmmmmmmmnmmmnmmmmollmmmnmnmnmolmnlllmmipknmnmnlomm"
+     "mmklmmnognjnlnnnlmmmmmnknlmolmnmkmmmmkljmnlmlmlrkklmnmmmmjonmmkmmmmmmmmmlnnlmmmmmmmmmmmlmmmml"
+     "mnlmmmmmmmmmmmlmnkmqnolnmmmmmkqqhmmmmmmilnjmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "monlmmnompnmmmmmmmmmmlmmmmplllmmmmmmmmmmm"},
+    {{{5, 790}, {0, 384}, {18, 624}, {12, 1480}, {11, 67}, {21, 0}},
+     "nmmmmnmknmpmlmlomkmminfmmjmkmmlmlnmmllomommmmmmnmmnnnnmjnnlmlonnmlnnmmmlmnmkjmlmjkokmnnlmmnnm"
+     "mlmmmmmdnkmmomnmnhmmrmklmnmmmlmmmmmnmmmmmmmlmkmrlnkmnkmmmkmlnmhmokmmmmmmjllnmmmmmmmmlmmmmmmmm"
+     "mlmmmmmmmmmlmmmmmmminiommmmmmmokmmmnmmmkpkmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmmmnlmmmmmmmmmmmmlmmn"
+     "mmolmmomlnmmmmmmolmnmnmnlmlmlkmmmmmmlmnmm"},
+    {{{6, 254}, {15, 256}, {18, 1176}, {1, 800}, {7, 21}, {13, 896}},
+     "nnlmmllommnmmnnpnnpmmnnlmklnkmnmmlmkplnmmmmlmioknmmmmlnplkmmknmmmklkjmmlnlmlolnmnllmmnmpnmmlm"
+     "mminikmmmmmmlnmmmmmmmmromlmlmmlmmlnlmknnmmnnmmmnmmnmllmmmmmlmmtmmmmnmnmmllommmmmmmmmmmmmmmmmj"
+     "mnmmmmmmmmmmmmlqnomirjommmmmmmmmmmmmmmmlnlmmmmmmmmmmmmnmmmmmnkmmmmmmmmmmmmmmmmmmknnmmmmmmmmmm"
+     "mlnkmmpmnlmmmmmmmmmmmkomomonkommmmmmmmmmm"},
+    {{{5, 357}, {18, 549}, {13, 512}, {7, 85}, {6, 85}, {1, 928}},
+     "mnmmllmmmlonlmlmmmlmmlnllnjojmnmnmlnmnlmlimnnmmmmmmmmmmmmmmmmlmmommmlmmmmmmmmmmmjnmnmmlmmmoml"
+     "mmnmmmmknnomnjoknmlnonnlmlmoklmmmmmmmmmlmmmmmmmmmlnmmmmmmnllmlmnlmlolmlmlnlmlmmlmmommlmknmnlm"
+     "mmnmmnmnlmlnlmronjmkmnmmmmlnmimmomoplnmjomomlmmnmllmmmmmnlmmmlmmllmmmnmnnmlnnmmmnnmmmmnknlkml"
+     "mpmpkmqolkmmmmmmlmmmmnmmlmkqlolonlnnmmlnn"},
+    {{{0, 704}, {1, 1136}, {0, 576}, {11, 166}, {5, 522}, {14, 2065}},
+     "mmmmmlnmmmlmnmmolmmmnlmlnnpmllmmlnmkmmmllpmomknmomrqjlmmplmmmlmlmqllmmmmmlmknnlmlmmmmlkmmmllm"
+     "lmslmomlomlmlmmmmklmmmqmmomqmnkmqlklmmknnmmlmlmnmolmmmmmmllnnmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmronlmilnkmnnmmmlmmmmnnmpmolllmijqmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmlnkmmmmmmmmmmmmmmmmkpqimmmmmm"},
+    {{{10, 64}, {11, 26}, {21, 0}, {7, 21}, {16, 960}, {18, 886}},
+     "imoomlmmlmijmlnkomnmengjmmnmnmrllnmqlmmmplnlmmmmmmnnllmmmmmmpmnmmlnmlmrmmmnmllmmlnnmmmlmmmmnk"
+     "onmmkomlnnnnollnmnlmnmpnkmmlnmmljollmmomlmklmmmlmlmmmmkmmnpmmmnmokmmlnmnmlmkmnnmmmknnnmllomno"
+     "lmnmoipmnpjnlnmmknnjllmmolomnokmmmlmlnmlomomnmmmlknmnmnlnmnmmommmonlnmnmlmnmmmlnmlmmmolmlkomm"
+     "mmmlmmnllkmolmmminlnmmnlmmmlolnkjmnmklmlm"},
+    {{{6, 246}, {15, 256}, {4, 612}, {12, 1024}, {18, 624}, {0, 384}},
+     "pommmmmmmlolmmnlmnmmmnlnmlmmmmnmlmmlnlmmmmnmmllnlmnlmmmnlmlmmmnnmmmnnmllmlmollnmnmlmmlmmmmmnl"
+     "mmlnmnmmmlmmmmmmmlnnmmnlmlmmlnmmllolmnjmmmninjmnljnlkmlmlkmnnmmkmmmmmmmmmmmmmnmmlmkonmmmmmmmn"
+     "mmlmmmmmmhrlomnmmmmmmmmmnmmmmmmmmmmmmmmmmmmmnmmmmmlkmmmmmmmmmmmmmnlnmlnmmmlnmnmmolmmmnllmommm"
+     "mmmmmmmmmmmmmmmmmmmmmilkmmmmmmmlplnlslklm"},
+    {{{11, 237}, {6, 130}, {4, 365}, {21, 0}, {11, 48}, {18, 1060}},
+     "mmmmmmmmmmmknnnrllpmkmmlmjmmlmmmmmmplmkllknlmmlnlmmnlmlmmmmmomnmmmmlnmmmlmmmlmlmlmllmkmlmminp"
+     "nmqmmomlmlmmknlommnlmmnnlkmknlmmnmmmmnnonnnmmmmnmnmmmmmlmmolnnnlllmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmljmnnlkmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlkqknjjplpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnnmmolm"
+     "mmmmmmmmmmmsolmmpoiommmmmmmmmmminonmempkm"},
+    {{{5, 790}, {16, 384}, {0, 512}, {18, 1364}, {15, 704}, {11, 134}},
+     "lmmmmnnmmmmmmmmllmnmrmmompmlommmmmmmmmmmilpmnnmmmmmmmmmmmmmmlmnllmmmmmmmmmmmmmmmmmmmmmmmnmmon"
+     "mmmmlmmmmmmmkomllomllmjmmnmnmmmmnlmlmolnlmlmmnmlmmomnlolmmmkpmskjnmmmmmmmmmmmkjnmmmmmmmmmmmmm"
+     "mmmmillmmmmmmmjnmnmmmmmmlmnmmmmmmmlmmmmmmmmmjnmmmmmmmmknlnmlmlmmkpkmmmmlmmmmmommnlmmmmkmmnmkm"
+     "msmllmmmmmmjnlkmmmmmmnnmmmmmmmmmmmmmmmmmm"},
+    {{{12, 1986}, {8, 0}, {7, 21}, {13, 896}, {0, 512}, {14, 1416}},
+     "lmlnlipkomhlllnfomnmmlonmnmmlmsnjlmmnmnmmlmmmmnmknmmnnmkmnmmfnhjmknnmmmnmnmmmmmmnmmmmmmmmmmmm"
+     "mmommlmlmnomjmnlmpnojmmmllmmmmmmmmmmmlmmnmnlmnmpmnomomlmmnolnmpmlmmmmmmmmmmmmmmmmmmmmmmmmllmm"
+     "oknmmlnmmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlnmmmmmmmmmmmmmmmmmmmmmnlmnmipnommmmmmmmmm"
+     "mmmmmmjomlmmmmmmmmmmmmmonmlnmnmmllmonmlmn"},
+    {{{12, 1540}, {4, 384}, {5, 469}, {15, 640}, {11, 105}, {10, 85}},
+     "knmmmjmmnmnmlmmnmnmmommmmmnmmmmmmmmkqlmlnmmmmkmlnnlnlmmlmmmmkllnmjmkomllmmmolmnmmmlmmmmmmmqmm"
+     "mmmlmmmlnklmlmnmmmnmnmllnkmnlmlmnlnmmilpmmmllmnqlokmqpommonmkmmmnlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmminmlmmmmmmkmmnmmmmmmlnlnmmmnmmmmmmmmmmmmlmlmmlmlmmonllmmmmm"
+     "mlmmmmmlnlnknlmmmmmmmoojmmspmlmhlmpmkmlmm"},
 };
 /* To here. */
 /* clang-format on */
