@@ -26,7 +26,9 @@ struct fmb_exact_boxer {
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
-/* Visit that basic solution, if it is a vertex; the witness is the mean of visited vertices. */
+/* Visit that basic solution, if it is a vertex and there is room: an end may take two of them, that
+ * of the walk in doubles and that of the walk in integers. The witness is the mean of visited
+ * vertices. */
 static bool take_state_of_basis(fmb_exact_boxer *b, const fmb_exact_box_basis *basis)
 {
     int k = 0;
@@ -35,7 +37,7 @@ static bool take_state_of_basis(fmb_exact_boxer *b, const fmb_exact_box_basis *b
     b->at = k;
     if (k < b->points)
         return true;
-    if (!fmb_exact_box_state(&b->point[k], &b->program, basis))
+    if (k == MOST_POINTS || !fmb_exact_box_state(&b->point[k], &b->program, basis))
         return false;
     b->is_near[k] = fmb_exact_box_near_values(&b->point[k], b->near[k]);
     b->points++;
