@@ -11,7 +11,9 @@
 
 enum { MOST_GOALS = 2 * (2 * FMB_EXACT_BOX_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
 
-/* Visited vertices are kept, as many ends are attained at one that was found before. */
+/* Visited vertices are kept, as many ends are attained at one that was found before. There is room:
+ * the first search adds at most one, and so does each end, as is_end_reached forgets a vertex that
+ * is not that end. */
 struct fmb_exact_boxer {
     fmb_exact_box_program program;
     fmb_exact_box_walk walk;
@@ -26,9 +28,7 @@ struct fmb_exact_boxer {
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
-/* Visit that basic solution, if it is a vertex and there is room: an end may take two of them, that
- * of the walk in doubles and that of the walk in integers. The witness is the mean of visited
- * vertices. */
+/* Visit that basic solution, if it is a vertex; the witness is the mean of visited vertices. */
 static bool take_state_of_basis(fmb_exact_boxer *b, const fmb_exact_box_basis *basis)
 {
     int k = 0;
@@ -37,7 +37,7 @@ static bool take_state_of_basis(fmb_exact_boxer *b, const fmb_exact_box_basis *b
     b->at = k;
     if (k < b->points)
         return true;
-    if (k == MOST_POINTS || !fmb_exact_box_state(&b->point[k], &b->program, basis))
+    if (!fmb_exact_box_state(&b->point[k], &b->program, basis))
         return false;
     b->is_near[k] = fmb_exact_box_near_values(&b->point[k], b->near[k]);
     b->points++;
@@ -100,10 +100,16 @@ static bool is_end_visited(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
     return b->points > 0 && fmb_exact_box_is_farthest(&b->point[b->at], goal);
 }
 
+/* Doubles may end at a vertex that is not the end: the walk in integers goes on from its basis. */
 static bool is_end_reached(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
 {
-    return fmb_exact_box_walk_to(&b->walk, goal) && take_state_of_basis(b, &b->walk.basis) &&
-           fmb_exact_box_is_farthest(&b->point[b->at], goal);
+    int visited = b->points;
+    if (!fmb_exact_box_walk_to(&b->walk, goal) || !take_state_of_basis(b, &b->walk.basis))
+        return false;
+    if (fmb_exact_box_is_farthest(&b->point[b->at], goal))
+        return true;
+    b->points = visited;
+    return false;
 }
 
 static bool take_state_at_end(fmb_exact_boxer *b, const fmb_exact_box_goal *goal)
