@@ -29,7 +29,7 @@
         "support queries: facets that are rows of the system")                                     \
     WAY(LATTICE, "rounding to a lattice", "lp/oracle/lattice_point",                               \
         "oracle: solutions of short numbers by rounding")                                          \
-    WAY(REFINED_FARKAS, "Farkas by refinement", "lp/oracle/refined_farkas",                        \
+    WAY(REFINED_FARKAS, "Farkas by refinement", "lp/oracle/refined_farkas lp/oracle/refinement",   \
         "oracle: conflicts between long numbers by iterative refinement")                          \
     WAY(TRIANGULAR, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")       \
     WAY(MINORS, "minors", "lp/linalg/exact/minors", "exact: small bases without fractions")        \

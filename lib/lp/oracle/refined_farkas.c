@@ -1,61 +1,16 @@
 /* refined_farkas.c: see refined_farkas.h.
  *
- * Theorem. Let B be square, R any matrix and H = I - B R with |H| <= 1/2, |H| being the largest sum
- * of a row's absolute values. Then B is regular; and if y' B = c - rest, the y with y B = c differs
- * from y' in no entry by more than 2 |rest R|_1.
- *
- * Proof. |z H|_1 <= |z|_1 |H|, so I - H = B R has the inverse I + H + H^2 + ..., and y - y' = rest
- * B^-1 = rest R (I - H)^-1 has a norm of at most |rest R|_1 / (1 - |H|).
- *
- * R is an inverse in doubles, and |H| is bounded with their rounding errors. y' are integers over
- * 2^places, so `rest` is known exactly; and rest R, in doubles, gives a correction of y', some more
- * places at a time (iterative refinement: Wan 2006, see factor.h). Once the bound is less than each
- * |y'_r|, the signs are known, and so is that of the combined right side. Rows are divided by
- * powers of two, so that they fit into doubles.
- *
- * Zero multipliers cannot be recognized in this way. Their rows are left out, and the columns
- * without entries in the others: if equally many rows and columns remain, they form B.
- *
- * An implied row contradicts the rows that imply it once it is reversed and its right side moved:
- * so the same bounds prove implications, apart from the case of equal right sides.
+ * A conflict is a combination of rows whose left side is that of the odd row, or its reverse, and
+ * whose right side contradicts it. An implied row contradicts the rows that imply it once it is
+ * reversed and its right side moved: so the same bounds prove implications, apart from the case of
+ * equal right sides.
  */
 #include "lp/oracle/refined_farkas.h"
 
-#include <math.h>
-#include <string.h>
-
-#include "base/arrays.h"
+#include "lp/oracle/refinement.h"
 
 #define MOST_UNKNOWNS 256
-/* Places of y' that each correction gains, and the number of corrections. */
-#define PLACES      32
-#define CORRECTIONS 8
-/* Multipliers below this, relative to the largest, count as 0. */
-#define NO_MULTIPLIER 1e-11
-/* Factor that makes a bound, a sum of doubles of one sign, safe. */
-#define SAFE 1.01
-/* Smaller numbers cannot be distinguished from underflow. */
-#define LEAST 0x1p-1000
-
-typedef struct refinement {
-    fmb_run *run;
-    const fmb_program *p;
-    size_t odd, m, n, size;
-    size_t *member, *column;  /* [size] rows of the basis, m + j: x_j = 0; and columns */
-    size_t *at;               /* [n] the place of a column */
-    int *exponent;            /* [size] rows are divided by 2^exponent */
-    int odd_exponent, unit;   /* unit: the largest exponent */
-    double *matrix, *inverse; /* [size][size] B and R */
-    double *c, *y, *rest;     /* [size]; y: scratch */
-    double *reach;            /* [size] sums of absolute values in rows of R */
-    bool *is_nonzero;         /* [n] scratch */
-    fmb_integers multiplier;  /* [size] y', in units of 2^-places */
-    fmb_integers left;        /* [size] rest, in units of 2^-(places + unit) */
-    int places;
-    mpz_t term, entry;
-} refinement;
-
-/* ---- life ------------------------------------------------------------------------------------ */
+#define CORRECTIONS   8
 
 bool fmb_refined_farkas_is_worth_it(const fmb_vertex *v)
 {
@@ -65,388 +20,15 @@ bool fmb_refined_farkas_is_worth_it(const fmb_vertex *v)
     return false;
 }
 
-static fmb_status hold_arrays_of_refinement(refinement *t, bool get)
-{
-    const size_t n = t->n;
-    return FMB_ARRAYS(t->run->mem, get, FMB_ARRAY(t->member, n), FMB_ARRAY(t->column, n),
-                      FMB_ARRAY(t->at, n), FMB_ARRAY(t->exponent, n), FMB_ARRAY(t->matrix, n * n),
-                      FMB_ARRAY(t->inverse, n * n), FMB_ARRAY(t->c, n), FMB_ARRAY(t->y, n),
-                      FMB_ARRAY(t->rest, n), FMB_ARRAY(t->reach, n), FMB_ARRAY(t->is_nonzero, n));
-}
-
-static fmb_status open_refinement(refinement *t, fmb_run *run, const fmb_program *p, size_t m,
-                                  size_t odd)
-{
-    *t = (refinement){.run = run, .p = p, .odd = odd, .m = m, .n = (size_t)p->n};
-    mpz_inits(t->term, t->entry, NULL);
-    FMB_TRY(hold_arrays_of_refinement(t, true));
-    FMB_TRY(fmb_integers_init(&t->multiplier, t->n, run->mem));
-    return fmb_integers_init(&t->left, t->n, run->mem);
-}
-
-static void close_refinement(refinement *t)
-{
-    fmb_integers_clear(&t->multiplier, t->run->mem);
-    fmb_integers_clear(&t->left, t->run->mem);
-    (void)hold_arrays_of_refinement(t, false);
-    mpz_clears(t->term, t->entry, NULL);
-}
-
-/* ---- B and its inverse ----------------------------------------------------------------------- */
-
-/* Coefficient k of a row, k == size: its right side, as a number from 1/2 to 1 times a power of
- * two, up to a factor of 1 +- 2^-52. */
-static double split_coefficient(const refinement *t, size_t row, size_t k, int *exponent)
-{
-    const fmb_vec *v = t->p->row[row].value;
-    long e = 0;
-    if (!v->z)
-        return frexp((double)v->s[k], exponent);
-    double x = mpz_get_d_2exp(&e, v->z[k]);
-    *exponent = (int)e;
-    return x;
-}
-
-static int find_row_exponent(const refinement *t, size_t row)
-{
-    int most = 0, e;
-    for (size_t k = 0; k < t->p->row[row].size; k++) {
-        split_coefficient(t, row, k, &e);
-        most = k == 0 || e > most ? e : most;
-    }
-    return most;
-}
-
-/* to[size] = a row divided by 2^exponent. */
-static void write_row(const refinement *t, size_t row, int *exponent, double *to)
-{
-    const fmb_program_row *r = &t->p->row[row];
-    int e;
-    *exponent = find_row_exponent(t, row);
-    memset(to, 0, t->size * sizeof *to);
-    for (size_t k = 0; k < r->size; k++) {
-        double x = split_coefficient(t, row, k, &e);
-        to[t->at[r->column[k]]] = ldexp(x, e - *exponent);
-    }
-}
-
-static void write_matrix(refinement *t)
-{
-    for (size_t k = 0; k < t->size; k++)
-        t->at[t->column[k]] = k;
-    write_row(t, t->odd, &t->odd_exponent, t->c);
-    t->unit = t->odd_exponent;
-    for (size_t s = 0; s < t->size; s++) {
-        double *to = &t->matrix[s * t->size];
-        size_t row = t->member[s];
-        if (row < t->m) {
-            write_row(t, row, &t->exponent[s], to);
-        } else {
-            memset(to, 0, t->size * sizeof *to);
-            to[t->at[row - t->m]] = 1;
-            t->exponent[s] = 0;
-        }
-        t->unit = t->exponent[s] > t->unit ? t->exponent[s] : t->unit;
-    }
-}
-
-static void swap_matrix_rows(double *a, double *b, size_t size)
-{
-    for (size_t j = 0; a != b && j < size; j++) {
-        double x = a[j];
-        a[j] = b[j];
-        b[j] = x;
-    }
-}
-
-static size_t find_largest_in_column(const refinement *t, size_t k)
-{
-    size_t best = k;
-    for (size_t i = k + 1; i < t->size; i++)
-        if (fabs(t->matrix[i * t->size + k]) > fabs(t->matrix[best * t->size + k]))
-            best = i;
-    return best;
-}
-
-/* Gauss-Jordan elimination; the matrix is overwritten. False: it seems to be singular. */
-static bool invert_matrix(refinement *t)
-{
-    size_t n = t->size;
-    memset(t->inverse, 0, n * n * sizeof *t->inverse);
-    for (size_t k = 0; k < n; k++)
-        t->inverse[k * n + k] = 1;
-    for (size_t k = 0; k < n; k++) {
-        double *a = &t->matrix[k * n], *b = &t->inverse[k * n];
-        size_t best = find_largest_in_column(t, k);
-        swap_matrix_rows(a, &t->matrix[best * n], n);
-        swap_matrix_rows(b, &t->inverse[best * n], n);
-        if (fabs(a[k]) < 1e-200)
-            return false;
-        double factor = 1 / a[k];
-        for (size_t j = 0; j < n; j++) {
-            a[j] *= factor;
-            b[j] *= factor;
-        }
-        for (size_t i = 0; i < n; i++) {
-            double x = t->matrix[i * n + k];
-            if (i == k || x == 0)
-                continue;
-            for (size_t j = k; j < n; j++)
-                t->matrix[i * n + j] -= x * a[j];
-            for (size_t j = 0; j < n; j++)
-                t->inverse[i * n + j] -= x * b[j];
-        }
-    }
-    return true;
-}
-
-/* Is |I - B R| <= 1/2? The error of a row of it, in doubles, is less than (size + 8) 2^-52 times 1
- * + the absolute values of the row of B times those of R: size + 1 roundings by 2^-53 and one of
- * each entry of B. y is scratch. */
-static bool is_inverse_good(refinement *t)
-{
-    size_t n = t->size;
-    for (size_t k = 0; k < n; k++) {
-        t->reach[k] = 0;
-        for (size_t j = 0; j < n; j++)
-            t->reach[k] += fabs(t->inverse[k * n + j]);
-        if (!(t->reach[k] < 1e50))
-            return false;
-    }
-    write_matrix(t);
-    for (size_t r = 0; r < n; r++) {
-        double sizes = 1, sum = 1e-60; /* more than any underflow */
-        memset(t->y, 0, n * sizeof *t->y);
-        t->y[r] = 1;
-        for (size_t k = 0; k < n; k++) {
-            double x = t->matrix[r * n + k];
-            sizes += fabs(x) * t->reach[k];
-            for (size_t j = 0; x != 0 && j < n; j++)
-                t->y[j] -= x * t->inverse[k * n + j];
-        }
-        for (size_t j = 0; j < n; j++)
-            sum += fabs(t->y[j]);
-        if (!(SAFE * (sum + (double)(n + 8) * 0x1p-52 * sizes) <= 0.5))
-            return false;
-    }
-    return true;
-}
-
-/* y = z R */
-static void multiply_by_inverse(refinement *t, const double *z)
-{
-    memset(t->y, 0, t->size * sizeof *t->y);
-    for (size_t k = 0; k < t->size; k++)
-        for (size_t j = 0; z[k] != 0 && j < t->size; j++)
-            t->y[j] += z[k] * t->inverse[k * t->size + j];
-}
-
-/* ---- which rows ------------------------------------------------------------------------------ */
-
-static void take_all_rows(refinement *t, const size_t *basis)
-{
-    t->size = t->n;
-    for (size_t k = 0; k < t->n; k++) {
-        t->member[k] = basis[k];
-        t->column[k] = k;
-    }
-}
-
-static void note_columns(refinement *t, size_t row)
-{
-    const fmb_program_row *r = &t->p->row[row];
-    for (size_t k = 0; k < r->size; k++)
-        t->is_nonzero[r->column[k]] = true;
-}
-
-/* Lists the columns of the rows and of the odd row. Are there as many rows as columns? */
-static bool list_columns(refinement *t)
-{
-    size_t columns = 0;
-    memset(t->is_nonzero, 0, t->n * sizeof *t->is_nonzero);
-    note_columns(t, t->odd);
-    for (size_t s = 0; s < t->size; s++)
-        note_columns(t, t->member[s]);
-    for (size_t j = 0; j < t->n; j++)
-        if (t->is_nonzero[j])
-            t->column[columns++] = j;
-    return t->size == columns && columns > 0;
-}
-
-/* Leave out rows whose multiplier, in y, seems to be 0. False: the other rows and their columns
- * differ in number, or one of these rows is a unit or off. */
-static bool keep_rows_with_multipliers(refinement *t)
-{
-    size_t kept = 0;
-    double most = 0;
-    for (size_t s = 0; s < t->size; s++)
-        most = fmax(most, fabs(t->y[s]));
-    for (size_t s = 0; s < t->size; s++) {
-        size_t row = t->member[s];
-        if (!(fabs(t->y[s]) > NO_MULTIPLIER * most))
-            continue;
-        if (row >= t->m || t->p->row[row].off)
-            return false;
-        t->member[kept++] = row;
-    }
-    t->size = kept;
-    return list_columns(t);
-}
-
-static bool find_inverse(refinement *t)
-{
-    write_matrix(t);
-    return invert_matrix(t);
-}
-
-/* B, R and c for the rows of a basis that count. */
-static fmb_status prepare_basis(refinement *t, const size_t *basis, bool *good)
-{
-    take_all_rows(t, basis);
-    *good = find_inverse(t);
-    if (*good) {
-        multiply_by_inverse(t, t->c);
-        *good = keep_rows_with_multipliers(t);
-    }
-    fmb_status st = fmb_run_poll_now(t->run);
-    if (st == FMB_OK && *good && t->size < t->n)
-        *good = find_inverse(t);
-    *good = *good && is_inverse_good(t);
-    return st;
-}
-
-/* B, R and c for exactly these rows. */
-static bool prepare_rows(refinement *t, size_t size, const size_t *row)
-{
-    t->size = size;
-    for (size_t k = 0; k < size; k++)
-        t->member[k] = row[k];
-    return list_columns(t) && find_inverse(t) && is_inverse_good(t);
-}
-
-/* ---- corrections ----------------------------------------------------------------------------- */
-
-/* number -= part times coefficient k of a row. */
-static void subtract_coefficient(refinement *t, size_t row, size_t k, mpz_t number)
-{
-    fmb_program_get(t->p, row, k, t->entry);
-    mpz_submul(number, t->term, t->entry);
-}
-
-/* term = the multiplier of row s of B, as an integer row of the program. */
-static void take_multiplier(refinement *t, size_t s)
-{
-    mpz_mul_2exp(t->term, t->multiplier.z[s], (mp_bitcnt_t)(t->unit - t->exponent[s]));
-}
-
-/* The multiplier of the odd row is -1 times a power of two. */
-static void take_odd_multiplier(refinement *t)
-{
-    mpz_set_si(t->term, -1);
-    mpz_mul_2exp(t->term, t->term, (mp_bitcnt_t)(t->places + t->unit - t->odd_exponent));
-}
-
-static double in_units(const mpz_t number, int unit)
-{
-    long e = 0;
-    double x = mpz_get_d_2exp(&e, number);
-    e -= unit;
-    return e > 2000 ? x * HUGE_VAL : e < -2000 ? 0 : ldexp(x, (int)e);
-}
-
-/* The rest of c for y': exactly in `left`, and in doubles. */
-static void find_rest(refinement *t)
-{
-    for (size_t k = 0; k < t->size; k++)
-        mpz_set_ui(t->left.z[k], 0);
-    for (size_t s = 0; s <= t->size; s++) {
-        size_t row = s < t->size ? t->member[s] : t->odd;
-        const fmb_program_row *r = &t->p->row[row];
-        if (s < t->size)
-            take_multiplier(t, s);
-        else
-            take_odd_multiplier(t);
-        for (size_t k = 0; k < r->size; k++)
-            subtract_coefficient(t, row, k, t->left.z[t->at[r->column[k]]]);
-    }
-    for (size_t k = 0; k < t->size; k++)
-        t->rest[k] = in_units(t->left.z[k], t->places + t->unit);
-}
-
-/* Compute some more places of y'. */
-static void correct_multipliers(refinement *t)
-{
-    multiply_by_inverse(t, t->rest);
-    t->places += PLACES;
-    for (size_t s = 0; s < t->size; s++) {
-        mpz_mul_2exp(t->multiplier.z[s], t->multiplier.z[s], PLACES);
-        mpz_set_d(t->term, nearbyint(ldexp(t->y[s], t->places)));
-        mpz_add(t->multiplier.z[s], t->multiplier.z[s], t->term);
-    }
-}
-
-/* ---- signs ----------------------------------------------------------------------------------- */
-
-/* A bound on the errors of the multipliers. */
-static double bound_error(const refinement *t)
-{
-    double sum = 0;
-    for (size_t k = 0; k < t->size; k++)
-        sum += fabs(t->rest[k]) * t->reach[k];
-    return 2 * SAFE * sum + 1e-250;
-}
-
-/* The common sign of all multipliers of inequalities, 0 if there are none; false: not known yet, or
- * they *differ. */
-static bool find_common_sign(const refinement *t, double error, int *sign, bool *differ)
-{
-    bool known = true;
-    *sign = 0;
-    *differ = false;
-    for (size_t s = 0; s < t->size && !*differ; s++) {
-        double y = in_units(t->multiplier.z[s], t->places);
-        if (t->p->row[t->member[s]].rel == FMB_EQ)
-            continue;
-        if (!(fabs(y) > SAFE * error)) {
-            known = false;
-            continue;
-        }
-        *differ = *sign * y < 0;
-        *sign = y > 0 ? 1 : -1;
-    }
-    return known && !*differ;
-}
-
-/* The sign of b_odd - sum_r y_r b_r, 0 if it is not known. Right sides that underflow are less than
- * the initial `size`; that error, and the rest, are less than the least number accepted. */
-static int find_sign_of_remainder(refinement *t, double error)
-{
-    mpz_ptr sum = t->left.z[0];
-    double size = (double)t->size * 0x1p-1074;
-    int e;
-    mpz_set_ui(sum, 0);
-    for (size_t s = 0; s < t->size; s++) {
-        size_t row = t->member[s], k = t->p->row[row].size;
-        take_multiplier(t, s);
-        subtract_coefficient(t, row, k, sum);
-        double b = split_coefficient(t, row, k, &e);
-        size += b == 0 ? 0 : ldexp(fabs(b), e - t->exponent[s]);
-    }
-    take_odd_multiplier(t);
-    subtract_coefficient(t, t->odd, t->p->row[t->odd].size, sum);
-    double rest = in_units(sum, t->places + t->unit);
-    return fabs(rest) > SAFE * SAFE * error * size + LEAST ? mpz_sgn(sum) : 0;
-}
-
 /* Multipliers of inequalities must have the sign opposite to *sign, and so must the remainder. */
-static fmb_refined is_conflict_refined(refinement *t, int *sign)
+static fmb_refined is_conflict_refined(fmb_refinement *t, int *sign)
 {
     int common, remainder;
     bool differ;
-    double error = bound_error(t);
-    if (!find_common_sign(t, error, &common, &differ))
+    double error = fmb_refinement_bound_error(t);
+    if (!fmb_refinement_common_sign(t, error, &common, &differ))
         return differ ? FMB_REFINED_FALSE : FMB_REFINED_UNKNOWN;
-    remainder = find_sign_of_remainder(t, error);
+    remainder = fmb_refinement_sign_of_remainder(t, error);
     *sign = -remainder;
     return remainder != 0 && remainder * common >= 0 &&
                    (*sign > 0 || t->p->row[t->odd].rel == FMB_EQ)
@@ -455,7 +37,7 @@ static fmb_refined is_conflict_refined(refinement *t, int *sign)
 }
 
 /* Are all right sides 0? Then the remainder is 0, too. */
-static bool is_cone(const refinement *t)
+static bool is_cone(const fmb_refinement *t)
 {
     bool cone = true;
     for (size_t s = 0; s <= t->size && cone; s++) {
@@ -467,12 +49,12 @@ static bool is_cone(const refinement *t)
 
 /* Multipliers of inequalities and the remainder must not be negative; and the remainder must be
  * positive if the odd row is the only strict one. */
-static fmb_refined is_implication_refined(refinement *t, int *sign)
+static fmb_refined is_implication_refined(fmb_refinement *t, int *sign)
 {
     int common, remainder;
     bool differ, meets = t->p->row[t->odd].rel != FMB_LT;
-    double error = bound_error(t);
-    bool known = find_common_sign(t, error, &common, &differ);
+    double error = fmb_refinement_bound_error(t);
+    bool known = fmb_refinement_common_sign(t, error, &common, &differ);
     *sign = 1;
     if (common < 0 || differ)
         return FMB_REFINED_FALSE;
@@ -482,20 +64,20 @@ static fmb_refined is_implication_refined(refinement *t, int *sign)
         meets = meets || t->p->row[t->member[s]].rel == FMB_LT;
     if (is_cone(t))
         return meets ? FMB_REFINED_TRUE : FMB_REFINED_FALSE;
-    remainder = find_sign_of_remainder(t, error);
+    remainder = fmb_refinement_sign_of_remainder(t, error);
     return remainder > 0   ? FMB_REFINED_TRUE
            : remainder < 0 ? FMB_REFINED_FALSE
                            : FMB_REFINED_UNKNOWN;
 }
 
-static fmb_status refine(refinement *t, fmb_refined (*judge)(refinement *, int *), int *sign,
-                         fmb_refined *out)
+static fmb_status refine(fmb_refinement *t, fmb_refined (*judge)(fmb_refinement *, int *),
+                         int *sign, fmb_refined *out)
 {
     fmb_status st = FMB_OK;
     for (int k = 0; st == FMB_OK && *out == FMB_REFINED_UNKNOWN && k <= CORRECTIONS; k++) {
         if (k > 0)
-            correct_multipliers(t);
-        find_rest(t);
+            fmb_refinement_correct(t);
+        fmb_refinement_find_rest(t);
         *out = judge(t, sign);
         st = fmb_integers_settle(&t->multiplier, t->run->mem);
         FMB_THEN(st, fmb_integers_settle(&t->left, t->run->mem));
@@ -506,28 +88,28 @@ static fmb_status refine(refinement *t, fmb_refined (*judge)(refinement *, int *
 
 fmb_status fmb_refined_farkas(const fmb_vertex *v, size_t odd, int *sign, bool *sure)
 {
-    refinement t;
+    fmb_refinement t;
     bool good = false;
     fmb_refined out = FMB_REFINED_UNKNOWN;
-    fmb_status st = open_refinement(&t, v->run, v->p, v->m, odd);
+    fmb_status st = fmb_refinement_open(&t, v->run, v->p, v->m, odd);
     if (st == FMB_OK && !v->p->row[odd].off && !fmb_vertex_holds(v, odd))
-        st = prepare_basis(&t, v->basis, &good);
+        st = fmb_refinement_of_basis(&t, v->basis, &good);
     if (st == FMB_OK && good)
         st = refine(&t, is_conflict_refined, sign, &out);
     *sure = out == FMB_REFINED_TRUE;
-    close_refinement(&t);
+    fmb_refinement_close(&t);
     return st;
 }
 
 fmb_status fmb_refined_implication(fmb_run *run, const fmb_program *p, size_t i, size_t size,
                                    const size_t *row, fmb_refined *out)
 {
-    refinement t;
+    fmb_refinement t;
     int sign;
     *out = FMB_REFINED_UNKNOWN;
-    fmb_status st = open_refinement(&t, run, p, p->m, i);
-    if (st == FMB_OK && prepare_rows(&t, size, row))
+    fmb_status st = fmb_refinement_open(&t, run, p, p->m, i);
+    if (st == FMB_OK && fmb_refinement_of_rows(&t, size, row))
         st = refine(&t, is_implication_refined, &sign, out);
-    close_refinement(&t);
+    fmb_refinement_close(&t);
     return st;
 }
