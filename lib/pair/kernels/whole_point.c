@@ -1,24 +1,27 @@
 /* whole_point.c: a common point of two frames that touch; see whole_point.h.
  *
- * Where a row's n is the direction in which the two touch, the point a + sum x_i v_i over the
- * vectors of A's face, from A's high corner a, is b + sum x_j v_j over those of B's: with
- * w = b - a,
+ * Let n, the normal of a row, be the direction in which A and B touch: then the face of A with its
+ * highest corner a along n and the face of B with its lowest corner b, or with lowest and highest
+ * exchanged, have a common point. With w = b - a, and vectors v_i that span the two faces,
  *
  *     w + sum s_i x_i v_i = 0,   s_i = 1 for vectors of B, -1 for those of A.
  *
- * If there are such x_i in 0 ... 1, of a simplex with a sum of at most 1, the two meet, whatever n,
- * a and b are. Doubles find n, the corners and x by a left inverse Y of the matrix V of vectors. If
- * n is perpendicular to more than these there are more x_i than equations: some of the x_i are 0 or
- * 1, and a vector whose x_i is not in 0 ... 1 changes places with one of those (the dual simplex
- * method without costs).
+ * Any such x_i in 0 ... 1, for a simplex with a sum of at most 1, prove that A and B meet, whatever
+ * n, a and b are.
  *
- * An x_i next to 0 or 1 is set to that, its vector goes to w or is dropped, and the rows of Y of
- * the others are a left inverse of these. Now let no row of E = 1 - Y V sum to more than 2^-20. So
- * V has full rank; and if w is in the space of its columns (all minors of these and w are 0, which
- * is asked in whole numbers) then there is one x, (1 - E)^-1 of what Y says it is: where all of
- * that is in 0 ... 1 it is off by less than 2^-19. What rounding adds is less than 2^-20 if
- * products of Y with V or w have sums of absolute values below 2^20 (an entry is rounded once, and
- * D products and sums are): so what is seen in 2^-10 ... 1 - 2^-10 is in 0 ... 1.
+ * 1. Doubles find n, the corners, and x by a left inverse Y of the matrix V of the vectors. If n is
+ *    perpendicular to more vectors, there are more x_i than equations: the others are set to 0 or
+ *    1, and a vector whose x_i is not in 0 ... 1 is exchanged with one of them (the dual simplex
+ *    method without costs).
+ * 2. An x_i close to 0 or 1 is set to that: its vector is dropped, for 1 after it is added to w.
+ *    The rows of Y of the other vectors are a left inverse of these.
+ * 3. If all row sums of |E|, E = 1 - Y V, are at most 2^-20, V has full rank. If w is in the span
+ *    of its columns, which holds iff all minors of V and w are 0 in integers, then exactly one x
+ *    exists. With x'_i = -s_i (Y w)_i, s x = (1 - E)^-1 s x', so |x - x'| < 2^-19 if all x' are in
+ *    0 ... 1.
+ * 4. If the sums of absolute values in the products of Y with V and w are at most 2^20, rounding
+ *    (one error an entry, D products and sums) adds less than 2^-20. So x is in 0 ... 1 if the
+ *    computed x' is in 2^-10 ... 1 - 2^-10.
  */
 #include "pair/kernels/whole_point.h"
 
@@ -39,8 +42,8 @@ typedef struct share {
 typedef struct touching {
     const whole_pair *p;
     int dim, n;  /* n vectors */
-    int base[2]; /* corners of simplices from which they go */
-    int more;    /* others that are perpendicular to n, behind the first D - 1 */
+    int base[2]; /* corners of simplices at which the vectors start */
+    int more;    /* other vectors that are perpendicular to n, after the first D - 1 */
     share share[MOST_SHARES];
     double y[DIM][DIM], normal[DIM];
     normal_vector w;
@@ -66,8 +69,8 @@ static void list_shares(touching *m, whole_faces faces)
     }
 }
 
-/* Gauss and Jordan: of [V | 1] the first rows become [1 | Y], the last one [0 | n]. False: V has
- * not that rank, or nearly not. */
+/* Gauss-Jordan elimination: the first rows of [V | 1] become [1 | Y], the last one [0 | n]. False:
+ * V does not have full rank, or nearly not. */
 static bool find_left_inverse(touching *m)
 {
     const int dim = m->dim, width = dim - 1 + dim;
@@ -109,8 +112,8 @@ static double multiply(int dim, const double *a, const double *b)
     return sum;
 }
 
-/* How far a cuboid reaches along n. More edges than those of the face may be perpendicular to it.
- */
+/* The extent of a cuboid along n. Edges outside the face that are perpendicular to n are listed,
+ * too. */
 static void find_span_of_cuboid(touching *m, int k, unsigned face, double size, whole_span *out)
 {
     const whole_body *b = &m->p->body[k];
@@ -143,8 +146,8 @@ static void find_span_of_simplex(const touching *m, int k, double *at, whole_spa
     out->high = at[out->highest];
 }
 
-/* The corner of a simplex from which vectors go. More corners than those of the face may be as far
- * along n. False: the face is not at that end. */
+/* The corner of a simplex at which the vectors start. Corners outside the face that are as far
+ * along n are listed, too. False: the face is not at that end. */
 static bool find_base(touching *m, int k, unsigned face, double size, const double *at, int *corner)
 {
     const whole_body *b = &m->p->body[k];
@@ -162,7 +165,7 @@ static bool find_base(touching *m, int k, unsigned face, double size, const doub
     return true;
 }
 
-/* b - a, from what n says. */
+/* The corners a and b at the ends along n, and w = b - a. */
 static bool find_corners(touching *m, whole_faces faces)
 {
     whole_span s[2];
@@ -221,7 +224,7 @@ static void find_x(touching *m)
 
 /* ---- steps ----------------------------------------------------------------------------------- */
 
-/* Of the vectors of a body the one with the largest share, or -1. */
+/* The vector of body k with the largest share, or -1. */
 static int find_of_body(const touching *m, int k)
 {
     int best = -1;
@@ -231,8 +234,9 @@ static int find_of_body(const touching *m, int k)
     return best;
 }
 
-/* The vectors of a simplex go from the end of vector i instead, which becomes that to where they
- * went from. Its row of Y is perpendicular to the new ones: less the sum of all of the simplex. */
+/* The vectors of simplex k start at the end of vector i instead; vector i now leads to the former
+ * start. Its row of Y, perpendicular to the other new vectors, is minus the sum of all rows of the
+ * simplex. */
 static void change_base(touching *m, int k, int i)
 {
     const int old = m->base[k];
@@ -250,7 +254,7 @@ static void change_base(touching *m, int k, int i)
             add_share(m, j, k, m->share[j].number);
 }
 
-/* The sum of the shares of a simplex, of those with a place. */
+/* The sum of the shares of simplex k among the first n. */
 static double sum_shares(const touching *m, int k)
 {
     double sum = 0;
@@ -275,7 +279,7 @@ static int find_outside(touching *m)
     return -1;
 }
 
-/* One of the others that brings share i back, or -1. */
+/* The other vector, of those behind the first n, that moves share i back most, or -1. */
 static int find_help(const touching *m, int i)
 {
     const share *s = &m->share[i];
@@ -294,7 +298,7 @@ static int find_help(const touching *m, int i)
     return best;
 }
 
-/* Share i goes to its end, and the place to that of another one. */
+/* Share i is set to its nearer end, and the other vector u takes its place. */
 static void exchange(touching *m, int i, int u)
 {
     share *s = &m->share[i], *other = &m->share[u];
@@ -318,7 +322,7 @@ static void exchange(touching *m, int i, int u)
     m->share[u].x = x;
 }
 
-/* Shares of the others are 0 or 1, such that those of the first are inside. */
+/* Choose 0 or 1 for the shares behind the first n such that the first n shares are in 0 ... 1. */
 static bool share_among_others(touching *m)
 {
     for (int u = m->n; u < m->n + m->more; u++)
@@ -334,9 +338,9 @@ static bool share_among_others(touching *m)
     return false;
 }
 
-/* ---- what is proved -------------------------------------------------------------------------- */
+/* ---- proofs ---------------------------------------------------------------------------------- */
 
-/* Shares next to 0 or 1. False: one is out of that. */
+/* Set shares close to 0 or 1 to that, and drop their vectors. False: a share is outside 0 ... 1. */
 static bool drop_ends(touching *m)
 {
     if (m->more > 0 && !share_among_others(m))
@@ -355,8 +359,8 @@ static bool drop_ends(touching *m)
     return true;
 }
 
-/* Where the corner of a simplex from which vectors go has no share they go from another one. False:
- * shares sum to more than 1. */
+/* If the corner at which the vectors of simplex k start has no share, they start at another one.
+ * False: the shares sum to more than 1. */
 static bool choose_base(touching *m, int k)
 {
     const double sum = sum_shares(m, k);
@@ -396,7 +400,7 @@ static bool are_inside(touching *m)
     return true;
 }
 
-/* Is w in the space of the vectors, which are independent? */
+/* Is w in the span of the vectors, which are independent? */
 static bool is_dependent(const touching *m)
 {
     normal n;

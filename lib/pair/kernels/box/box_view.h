@@ -1,20 +1,22 @@
 /* box_view.h: one frame, the guest, in the coordinates of another, the host.
  *
- * With n_i the rows of the adjugate of the host's axes, times the sign of their determinant, a
- * point x has values y_i = n_i (x - origin of the host). It is in the host where all values are
- * within 0 ... size = |det|; for a simplex, where all are at least 0, with one value more, size -
- * sum y_i. (The same idea as in local_frame.h, with tighter bounds on errors.)
+ * With n_i the rows of the adjugate of the host's axes, times the sign of their determinant det, a
+ * point x has the values y_i = n_i (x - origin of the host). x is in a cuboid host iff all values
+ * are within 0 ... size = |det|; in a simplex host iff all are at least 0, one more value, size -
+ * sum y_i, included. (As in local_frame.h, but with tighter error bounds.)
  *
- * All this is in double-doubles. Errors: error_i bounds those of value i, and what upper halves
- * leave out if only these are looked at: docs/error-bounds.md, "View".
+ * All numbers are double-doubles. error_i bounds the error of value i; where only the upper halves
+ * are used, the omission of the lower ones is included: docs/error-bounds.md, "View".
  *
- * `known` says where alpha, beta, drift and places are within 2^-40 ... 2^40 (the last two: at
- * most) and size > its error. Then nothing overflows, and underflow does not hurt. A product is
- * known but for 2^-1072, which counts 2^44 times in a value at most (the largest X_j), and with
- * other values, at most 2^128, in a product of two or three: so it changes a value by less than
- * 2^-1020, products by less than 2^-888 and 2^-755. But to every most_i 2^-200 is added, which
- * makes the bounds on these errors 2^-301, 2^-497 and 2^-694 at least. The same keeps quotients
- * finite: |size| and |d_i| (box_cyrus_beck.h) are at least 2^-311, |det| (box_cross.h) 2^-502.
+ * A lane is `known` if alpha and beta, the largest numbers of A's and B's axes, are within 2^-40
+ * ... 2^40, drift and places are at most 2^40, and size exceeds its error. Then nothing overflows,
+ * and underflow does not matter:
+ * - a product that underflows is off by at most 2^-1072. It enters a value with a factor of at most
+ *   2^44 (the largest X_j), and products of two or three values with others of at most 2^128: so it
+ *   changes values by less than 2^-1020, and products of two or three by 2^-888 and 2^-755;
+ * - but 2^-200 is added to every most_i, so the bounds on these errors are at least 2^-301, 2^-497
+ *   and 2^-694. Likewise quotients stay finite: size and |d_i| (box_cyrus_beck.h) are at least
+ *   2^-311, |det| (box_cross.h) is at least 2^-502.
  */
 #ifndef FMB_PAIR_BOX_VIEW_H
 #define FMB_PAIR_BOX_VIEW_H
@@ -26,11 +28,11 @@ enum { BOX_CORNERS = 8, BOX_VALUES = 4 };
 /* What is constant in a kernel. */
 typedef struct box_kind {
     int dim;
-    bool moves, fine; /* fine: of double-doubles, lower halves are looked at, too */
+    bool moves, fine; /* fine: the lower halves of double-doubles are used, too */
     int shape[2];     /* of A, of B */
 } box_kind;
 
-/* The same, of that precision. */
+/* The kind k with another precision. */
 FMB_BOX_INLINE box_kind box_in_precision(const box_kind *k, bool fine)
 {
     return (box_kind){k->dim, k->moves, fine, {k->shape[0], k->shape[1]}};
@@ -58,7 +60,7 @@ FMB_BOX_INLINE int box_corners(const box_kind *k, int guest)
     return k->shape[guest] == FMB_SIMPLEX ? k->dim + 1 : 1 << k->dim;
 }
 
-/* The adjugate of a, whose rows are axes, and N. */
+/* The adjugate n of a, whose rows are axes, and most = N (docs/error-bounds.md, "View"). */
 FMB_BOX_INLINE void box_adjugate(const box_kind *k, const lane a[3][3], lane2 n[3][3],
                                  lane most[3][3])
 {
@@ -105,7 +107,7 @@ FMB_BOX_INLINE void box_difference(int dim, const lane *x, const lane *y, lane2 
         out[j] = two_sum(y[j], -x[j]);
 }
 
-/* The value that a simplex has besides. */
+/* The last value of a simplex: `from` less the other values. */
 FMB_BOX_INLINE void box_last_value(int dim, lane2 from, lane2 *y)
 {
     for (int i = 0; i < dim; i++)
@@ -113,7 +115,7 @@ FMB_BOX_INLINE void box_last_value(int dim, lane2 from, lane2 *y)
     y[dim] = from;
 }
 
-/* X_j but for the drift, given the shift. */
+/* X_j without the drift, given the shift. */
 FMB_BOX_INLINE lane box_extent(const box_kind *k, int guest, const box_frame *b, int j, lane shift)
 {
     lane edges = lane_of(0), largest = lane_of(0);
@@ -126,7 +128,7 @@ FMB_BOX_INLINE lane box_extent(const box_kind *k, int guest, const box_frame *b,
     return lane_abs(shift) + edges;
 }
 
-/* What upper halves alone leave out of value i: docs/error-bounds.md, "View". */
+/* The error of value i where lower halves are ignored: docs/error-bounds.md, "View". */
 FMB_BOX_INLINE lane box_halves(const box_kind *k, int guest, const box_view *v, int i)
 {
     const double factor =

@@ -1,22 +1,21 @@
 /* local_frame.h: a block of pairs in coordinates of A, without a division.
  *
- * With n_i the rows of the adjugate of the matrix whose columns are A's axes, n_i a_k is det A
- * where i = k and 0 elsewhere. So in coordinates y_i = n_i (x - origin of A), times the sign of det
- * A, the frame A is the cube (or simplex) 0 <= y_i (<= size), size = |det A|; B has its corner at
- * `shift`, edges e_k, and moves by `drift`.
+ * With n_i the rows of the adjugate of the matrix whose columns are A's axes a_k, n_i a_k is det A
+ * if i = k, else 0. So in the coordinates y_i = n_i (x - origin of A), times the sign of det A, the
+ * cuboid A is 0 <= y_i <= size, and the simplex A is 0 <= y_i, sum y_i <= size, with size = |det
+ * A|; B has its origin at `shift`, edges e_k, and moves by `drift`.
  *
  * alpha, beta, delta and omega are the largest absolute values of A's axes, B's axes, shift and
- * drift in the block (omega at least 2^-50), gamma the product of the largest of the two largest
- * axes of A, so that a slender A has bounds as small as its numbers (in the plane: alpha). Errors:
- * docs/error-bounds.md, "Local frame"; each number is within LOCAL_FRAME_ERROR times the bound on
- * it.
+ * drift in a lane (omega at least 2^-50); gamma is the product of the largest numbers of the two
+ * largest axes of A, so that a slender A has small bounds (in the plane: alpha). Each number is
+ * within LOCAL_FRAME_ERROR times its bound: docs/error-bounds.md, "Local frame".
  *
- * All this where `known` says so: alpha and beta are between 2^-50 and 2^50, gamma is at least
- * 2^-100, delta and omega at most 2^50, nothing is a NaN, and the sign of det A is certain. Then
- * polynomials in these numbers of degree up to 14 do not overflow, nor does underflow hurt. What
- * underflows is off by 2^-1075, while the bound on it, a product of at most 14 of these numbers, is
- * at least 2^-700, and u times that is the larger by far. (delta may be less, but in all tests it
- * stands in sums beside terms with alpha or beta in its place.)
+ * This holds in lanes that are `known`: alpha and beta are between 2^-50 and 2^50, gamma is at
+ * least 2^-100, delta and omega are at most 2^50, no number is a NaN, and the sign of det A is
+ * certain. Then polynomials of degree up to 14 in these numbers do not overflow, and underflow does
+ * not matter: it is an error of 2^-1075, while a bound, a product of at most 14 of these numbers,
+ * is at least 2^-700, and u times the bound is far larger. (delta may be smaller, but in all tests
+ * it is added to terms with alpha or beta in its place.)
  *
  * Source: Gottschalk, Lin, Manocha 1996, who test boxes in the frame of one of them; the adjugate
  * in place of the inverse spares the division.
@@ -32,7 +31,7 @@
 
 typedef struct local_frame {
     lane size, e[3][3], shift[3], drift[3]; /* e[k][i]: coordinate i of edge k */
-    lane volume;                            /* size, but for local_frame_make */
+    lane volume;                            /* det A, or size: local_frame_make */
     lane alpha, beta, delta, omega;
     lane most_size, most_e, most_shift, most_drift; /* the bounds above */
     lane_mask known;
@@ -73,8 +72,8 @@ FMB_INLINE lane local_frame_dot(int dim, const lane *n, const lane *x)
     return sum;
 }
 
-/* In the plane: y turned by a right angle, (y_1, -y_0), times x, as local_frame_dot has it, without
- * a number turned round; and the negative of it. */
+/* In the plane: the product of x and y turned by a right angle, (y_1, -y_0), in the order of
+ * operations of local_frame_dot but without negating a number; and its negative. */
 FMB_INLINE lane local_frame_turned(const lane *y, const lane *x)
 {
     return lane_fnma(y[0], x[1], y[1] * x[0]);
@@ -91,7 +90,7 @@ FMB_INLINE void local_frame_load(lane *x, const double *rows, int n)
         x[j] = lane_load(rows + j * FMB_LANES);
 }
 
-/* alpha; and gamma, what products of two axes are at most (in the plane: an axis). */
+/* Set alpha; return gamma, which bounds products of numbers of two axes (in the plane, of one). */
 FMB_INLINE lane local_frame_measure_axes(int dim, const double *axes, local_frame *f)
 {
     lane size[3];
@@ -105,10 +104,10 @@ FMB_INLINE lane local_frame_measure_axes(int dim, const double *axes, local_fram
     return f->alpha * lane_max(least, second);
 }
 
-/* The bounds, and which lanes stay within them. A NaN may hide from the largest absolute value, and
- * an infinity only behind a NaN. But all numbers of A are in det A, and all others in coordinates 0
- * of what they belong to; so some NaN makes size or the sum of those coordinates a NaN, and no
- * comparison with that is true.
+/* The bounds, and which lanes are known. The largest absolute value may miss a NaN, and an infinity
+ * only together with a NaN. But det A contains all numbers of A, and the coordinates 0 of shift,
+ * edges and drift contain all other numbers; so a NaN makes size or the sum of those coordinates a
+ * NaN, and no comparison with a NaN is true.
  */
 FMB_INLINE void local_frame_measure(int dim, bool moves, const double *block, local_frame *f)
 {
@@ -138,8 +137,7 @@ FMB_INLINE void local_frame_measure(int dim, bool moves, const double *block, lo
     f->known = lane_and(f->known, lane_less(sum, lane_of(0x1p1000)));
 }
 
-/* Coordinates of x: rows of the adjugate n times x. In the plane n is not used if it is not
- * turned.
+/* Coordinates of x: the rows of the adjugate n, times x. In the plane n is used only if `turned`.
  */
 FMB_INLINE void local_frame_look(int dim, bool turned, lane a[3][3], lane n[3][3], const lane *x,
                                  lane *out)
@@ -153,8 +151,8 @@ FMB_INLINE void local_frame_look(int dim, bool turned, lane a[3][3], lane n[3][3
         out[i] = local_frame_dot(dim, n[i], x);
 }
 
-/* In place, as a returned structure of this size may be copied. If not turned then y is without the
- * sign of det A, and A is 0 <= y_i / volume (<= 1). */
+/* In place, as a returned structure of this size may be copied. turned: y has the sign of det A,
+ * and volume is size. Otherwise volume is det A, and A is 0 <= y_i / volume (<= 1). */
 FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, const double *block,
                                  local_frame *f)
 {

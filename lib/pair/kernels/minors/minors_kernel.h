@@ -1,27 +1,27 @@
 /* minors_kernel.h: do two cuboids of four to eight dimensions meet? (Others: minors_signs.h,
  * minors_mixed.h.)
  *
- * In coordinates z of A's frame, A is |z_r| <= 1, and B, with all its places from t = 0 to 1, is
- * center + sum x_j g_j, |x_j| <= 1, over its D edges and, if it moves, the drift: n columns in all.
- * Eliminating x and D - 1 - k of the z leaves rows that use k columns S and k + 1 coordinates R: by
- * Cramer's rule their coefficients are the minors of the columns S in all rows of R but one, and
- * their values on center and on the other columns are the minors of R with one column more. Such a
- * row misses A iff
+ * Notation: z are coordinates in A's frame, where A is the cube |z_r| <= 1. B, swept from t = 0 to
+ * t = 1, is center + sum x_j g_j, |x_j| <= 1; the n columns g_j are its D edges and, if it moves,
+ * the drift. R is a set of k + 1 coordinates, S a set of k columns; (R, S) is the minor of S in R.
  *
- *     |minor of S, center| > sum over r of |minor of S in R less r|
- *                            + sum over j not in S of |minor of S, j|
+ * Rows: eliminating x and the z outside R leaves a linear form y, with y_r = +-(R - r, S) for r in
+ * R, and 0 elsewhere. By Cramer's rule y g_j = 0 for j in S, and y v = +-(R, S + v) for any other
+ * vector v. The maximum of y over A is sum |y_r|, so y separates A and B iff
  *
- * So everything consists of minors, each expanded along its last column into minors with a row and
- * a column less. Those of a level are in order of R, and for one R in that of minors_table.h: all
- * sets whose largest column is j are contiguous, in the order of those of the columns before j.
+ *     |(R, S + center)| > sum over r in R of |(R - r, S)| + sum over j not in S of |(R, S + j)|.
  *
- * Complete: A and B meet in interiors unless a facet of B - A keeps 0 out. D - 1 independent
- * vectors are parallel to it, p edges of A, q of B, and perhaps the drift (d = 1, else 0): in A's
- * frame that is the row of these q + d columns, in B's frame (A and B change places) that of p + d
- * columns. The two numbers sum to D - 1 + d, so levels up to K there and up to K' here have them
- * all if K + K' + 2 > D - 1 + d. With K = (D - 1) / 2 and K' = (D - 2) / 2, cut off, none is there
- * twice; if B moves, K = D / 2 and K' = (D - 1) / 2, and a row of K columns without the drift is
- * one of D - 1 - K <= K' columns, too.
+ * Each minor is expanded along its last column into minors of one row and one column less. The
+ * minors of a level k are stored by R, those of one R in the order of minors_table.h: all S whose
+ * largest column is j are contiguous, in the order of the sets S - j.
+ *
+ * Completeness: the interiors of A and B meet unless a facet of the polytope B - A has 0 on it or
+ * beyond it. Such a facet is parallel to D - 1 independent vectors: p edges of A, q edges of B and
+ * perhaps the drift (d = 1, else 0). Its normal is a row of k = q + d in A's frame, and of k = p +
+ * d in B's frame (with A and B exchanged). As (q + d) + (p + d) = D - 1 + d, the rows with k <= K
+ * in A's frame and k <= K' in B's include every normal if K + K' + 2 > D - 1 + d. At rest K = (D -
+ * 1) / 2 and K' = (D - 2) / 2, rounded down, and no normal is tested twice. If B moves, K = D / 2
+ * and K' = (D - 1) / 2; rows of level K without the drift are rows of D - 1 - K <= K' columns, too.
  *
  * Errors: docs/error-bounds.md, "Minors".
  */

@@ -1,23 +1,23 @@
 /* minors_mixed.h: do a simplex and a cuboid of four to six dimensions meet?
  *
- * Here A is the simplex: its rows are the n = D + 1 barycentric coordinates, all times 2 so that
- * those of a point of B are center + sum x_j g_j, |x_j| <= 1, as in minors_kernel.h. Eliminating x
- * is the same, too: k columns S and k + 1 rows R leave the direction y of minors of S in R less r.
- * The values of A's corners along it are 2 y_r, and 0 for the rows that are not in R. With M and m
- * the largest and the least of these y_r and 0, B is beyond A iff
+ * With A the simplex, rows are made as in minors_kernel.h, except that z are the D + 1 barycentric
+ * coordinates in A, all times 2, so that B is center + sum x_j g_j, |x_j| <= 1. A set R of k + 1
+ * rows and a set S of k columns leave the form y of minors of S in R - r. Its value is 2 y_r at
+ * corner r of A, and 0 at the corners outside R (there are some, as k < D). With M and m the
+ * largest and the least of 0 and all y_r, A reaches from 2 m to 2 M, and y separates A and B iff
  *
- *     |minor of S, center - (M + m)| > (M - m) + sum over j not in S of |minor of S, j|
+ *     |y center - (M + m)| > (M - m) + sum over j not in S of |y g_j|,
  *
- * where the first bars hold the minor of R with the center less M + m. From B, A's corners are
- * compared with B's faces alone: a row of B's frame, where A lasts from least to largest corner.
+ * where y v is the minor of S + v in R. In B's view only B's faces are tested (k = 0), against the
+ * least and the largest coordinate of A's corners.
  *
- * Complete: as in minors_kernel.h, a facet of B - A that keeps 0 out is parallel to p edges of A
- * and q of B, and perhaps the drift (d = 1, else 0), p + q + d = D - 1. All there are levels of q +
- * d columns, and of p + d columns in B's frame. K + K' + 2 > D - 1 + d with K' = 0 is K = D - 2, or
- * D - 1 if the pair moves; there a row without the drift is parallel to D - 1 edges of B, and a
- * face of it. A direction of q columns is parallel to p edges of A iff p + 1 of its y_r and 0s are
- * the same: adding a number to all barycentric coordinates of a direction changes nothing, as they
- * sum to what is constant, and so makes 0 of these; D + 1 - (p + 1) = q + 1 rows R (+ d) are left.
+ * Completeness: as in minors_kernel.h, the normal of a facet of B - A that is parallel to p edges
+ * of A, q of B and perhaps the drift (d = 1, else 0), p + q + d = D - 1, is a row of q + d columns:
+ * y has the same value at the p + 1 corners of a face of A. As barycentric coordinates of
+ * directions sum to 0, this value may be subtracted from all of y: then y is 0 at p + 1 corners,
+ * and the other D + 1 - (p + 1) = q + d + 1 rows are R. In B's view the row has p + d columns. With
+ * K' = 0 all rows are tested if K + 2 > D - 1 + d: K = D - 2, or K = D - 1 if the pair moves; there
+ * a row without the drift is parallel to D - 1 edges of B, so it is a face of B.
  */
 #ifndef FMB_PAIR_MINORS_MIXED_H
 #define FMB_PAIR_MINORS_MIXED_H

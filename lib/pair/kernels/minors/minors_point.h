@@ -1,15 +1,15 @@
-/* minors_point.h: a common point proves that frames meet where no row can: parallel edges of the
- * two, or coplanar ones, give rows of zeros, whose gap is 0 up to errors, and whose signs are
+/* minors_point.h: a common point proves that frames meet where rows cannot: two parallel edges, or
+ * coplanar ones, give rows of zeros, whose computed gap is 0 up to errors and whose signs are
  * undefined.
  *
- * With |x_j| <= 1 the point center + sum x_j g_j is in B, at some time; if all its coordinates are
- * less than 1 then, with x drawn in a little, there is a point in the interiors of both. Such x are
- * looked for by coordinate descent on the squared distance from the cuboid |z_r| <= 0.9: each step
- * goes along g_j to the least of the parabola that has the same slope and the largest curvature
- * that this distance has anywhere, so it never grows.
+ * For |x_j| <= 1 the point z = center + sum x_j g_j is in B at some time. If all |z_r| < 1, then
+ * for slightly smaller x it is in the interiors of both. Coordinate descent on the squared distance
+ * of z from the cube |z_r| <= 0.9 searches such x: a step along g_j goes to the minimum of the
+ * parabola with the present slope and the largest curvature |g_j|^2 that this function has
+ * anywhere, so the distance never increases.
  *
- * Of simplices, sum (1 + x_j) g_j over the corners, at t = 0, is a point of B times the sum of
- * 1 + x_j, and in A's interior if all its coordinates are positive: they are to be 0.1 at least.
+ * For simplices, z = sum (1 + x_j) g_j over the corners g_j, at t = 0, is a point of B times
+ * sum (1 + x_j); it is in A's interior if all z_r > 0. Here the descent aims at z_r >= 0.1.
  */
 #ifndef FMB_PAIR_MINORS_POINT_H
 #define FMB_PAIR_MINORS_POINT_H

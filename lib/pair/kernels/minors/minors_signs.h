@@ -1,33 +1,37 @@
 /* minors_signs.h: do two simplices of four to seven dimensions meet?
  *
- * Column j of M has the barycentric coordinates in A of B's corner j: n = D + 1 rows and columns,
- * and a point of B, with weights x >= 0, is in A iff M x >= 0. Eliminating x from these n rows
- * leaves, of rows R and k = |R| - 1 columns S, the combination y of R that is 0 on S: by Cramer's
- * rule y_r is a minor of S in R less r, and what y says of another column j is the minor of R with
- * j more. If all y_r have one sign, and all else the other, then B is beyond A's hyperplane y: the
- * two are apart. So signs tell, C(n, k + 1) C(n, k) tests of n + 1 signs a level. A face (k = 0) is
- * the row r, with y = 1.
+ * Notation: column j of M holds the barycentric coordinates in A of B's corner j; M has n = D + 1
+ * rows and columns, and is regular. The point of B with weights x >= 0 is in A iff M x >= 0. R is a
+ * set of k + 1 rows, S a set of k columns.
  *
- * Complete: if A and B have no interior point in common then (Gordan) there is y >= 0, not 0, with
- * z = - y M >= 0. Take an extreme ray of these; let R be where y is positive, S0 where z is 0. Then
- * M has rank |R| - 1 in R and S0, and |R| - 1 columns S of S0 are a basis: y is made of minors, up
- * to a factor, and no sign of the test of R, S is wrong, though some may be 0. In B's view M is its
- * inverse, y and z change places, and the test is one of n - |S0| <= D + 2 - |R| rows. So levels up
- * to K there and up to K' here have them all if K + K' = D - 1; if all signs are certain, and no
- * test has them all right, the two meet. A test whose own signs are certain and right is enough for
- * apart, also closed: y is 0 at D - k corners of A and k of B alone, and a point of both faces
- * would have coordinates 0 in R, but S has k columns that are independent there. (The dual simplex
- * method would find one of these tests.)
+ * Test of R and S: let y be 0 outside R, and y_r = +-(minor of S in R - r) in it. By Cramer's rule
+ * (y M)_j is 0 for j in S, and +-(minor of S + j in R) for other j. If all y_r >= 0 and all (y M)_j
+ * <= 0, or all of this with opposite signs, the hyperplane y separates A and B. So signs of minors
+ * suffice: C(n, k + 1) C(n, k) tests of n + 1 signs at level k. For k = 0, y is a face of A.
  *
- * If B drifts by d from t = 0 to 1, y keeps all its places beyond A iff y d <= 0 and it keeps B so
- * at t = 0, or y (-d) <= 0 and B at t = 1. Each is the question above with a column more, d then or
- * -d then, which B's view has with the other sign. D of all n + n + 1 numbers y, z and that of the
- * drift are 0 in an extreme ray: k of z and D - k of y, levels k here and D - k there as before; or
- * the drift's, k - 1 of z and D - k of y, levels k here and D - k + 1 there. So K + K' = D, and one
- * of the last levels is asked for sets with the drift alone.
+ * Completeness:
+ * 1. If A and B have no common interior point then, by Gordan's theorem, some y >= 0, y != 0, has
+ *    z = -y M >= 0. In an extreme ray (y, z) of this cone let R be the support of y, S0 the zeros
+ *    of z.
+ * 2. M has rank |R| - 1 on R and S0. With S a basis of these columns, y is a multiple of the y of
+ *    the test of R and S: no sign of this test is wrong, though some may be 0.
+ * 3. If A and B change places then M becomes its inverse, and y and z change places: the test is
+ *    one of n - |S0| <= D + 2 - |R| rows. So the levels of the two tests sum to at most D, and all
+ *    levels k <= K in A's view and k <= K' in B's include one of them if K + K' = D - 1.
+ * 4. So if all signs are certain and no test has them all right, A and B meet.
+ * One test with certain signs, all right, proves that even the closed A and B are apart: y is 0 on
+ * A only at the D - k corners outside R, and on B only at the k corners S; a common point of these
+ * two faces would be a combination of the columns S that is 0 in R, where they are independent.
  *
- * Minors are those of columns in falling order, as minors_expand makes them: to j in front of S
- * belongs a minus for each larger column of S.
+ * Motion: if B drifts by d from t = 0 to 1, then y separates A from B at all times iff it separates
+ * them at t = 0 and y d <= 0, or at t = 1 and y (-d) <= 0. Each is the test above with one more
+ * column, d or -d (in B's view with the other sign). In an extreme ray, D of the 2 n numbers of y
+ * and z and of y d are 0. Either these are k numbers of z and D - k of y: levels k and D - k, as
+ * before. Or they are y d, k - 1 of z and D - k of y: levels k and D - k + 1, with the drift in S.
+ * So K + K' = D suffices, and one of the two last levels needs only the sets S with the drift.
+ *
+ * Signs: a minor has its columns in falling order, as minors_expand makes it, so (y M)_j has the
+ * factor -1 for each column of S that is larger than j.
  *
  * Errors: docs/error-bounds.md, "Minors of simplices".
  */

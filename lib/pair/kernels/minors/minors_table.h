@@ -1,10 +1,10 @@
 /* minors_table.h: numbering of the subsets of up to eight numbers.
  *
- * Subsets of a size are counted in the order of their bits as binary numbers. So those of the
- * numbers below j come first, choose(j, size) of them, whatever else there is; then those with j as
- * their largest, in the order of what they have besides.
+ * Subsets of one size are numbered in the order of their bits as binary numbers. So the choose(j,
+ * size) subsets of the numbers below j come first; then those whose largest element is j, in the
+ * order of their other elements.
  *
- * tests/unit/pair/minors.c makes the tables anew.
+ * tests/unit/pair/minors.c computes the tables independently.
  */
 #ifndef FMB_PAIR_MINORS_TABLE_H
 #define FMB_PAIR_MINORS_TABLE_H
@@ -13,7 +13,7 @@
 
 enum { FMB_MINORS_MOST = 8 };
 
-/* Of each set of bits, how many smaller ones have the same size. */
+/* The number of each set: how many sets of the same size are less as binary numbers. */
 static const uint8_t FMB_MINORS_RANK[1 << FMB_MINORS_MOST] = {
     0,  0,  1,  0,  2,  1,  2,  0,  3,  3,  4,  1,  5,  2,  3,  0,  4,  6,  7,  4,  8,  5,  6,  1,
     9,  7,  8,  2,  9,  3,  4,  0,  5,  10, 11, 10, 12, 11, 12, 5,  13, 13, 14, 6,  15, 7,  8,  1,
@@ -27,8 +27,8 @@ static const uint8_t FMB_MINORS_RANK[1 << FMB_MINORS_MOST] = {
     64, 43, 44, 15, 45, 16, 17, 2,  55, 65, 66, 46, 67, 47, 48, 18, 68, 49, 50, 19, 51, 20, 21, 3,
     69, 52, 53, 22, 54, 23, 24, 4,  55, 25, 26, 5,  27, 6,  7,  0};
 
-/* [size of S][number of S][which of those not in S, from the least on]: the number of S with that
- * one.
+/* WITH_k[number of S][i], for S of k elements: the number of S and the i-th element not in S,
+ * counted from the least.
  */
 static const uint8_t FMB_MINORS_WITH_0[1][8] = {{0, 1, 2, 3, 4, 5, 6, 7}};
 static const uint8_t FMB_MINORS_WITH_1[8][7] = {
@@ -61,7 +61,7 @@ static const uint8_t FMB_MINORS_WITH_3[56][5] = {
     {42, 43, 44, 54, 64}, {45, 46, 48, 51, 65}, {45, 47, 49, 52, 66}, {46, 47, 50, 53, 67},
     {48, 49, 50, 54, 68}, {51, 52, 53, 54, 69}, {55, 56, 58, 61, 65}, {55, 57, 59, 62, 66},
     {56, 57, 60, 63, 67}, {58, 59, 60, 64, 68}, {61, 62, 63, 64, 69}, {65, 66, 67, 68, 69}};
-/* The same of numbers below 6 alone. */
+/* Likewise, for numbers below 6 only. */
 static const uint8_t FMB_MINORS_WITH_4[15][2] = {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5},
                                                  {1, 2}, {1, 3}, {1, 4}, {1, 5}, {2, 3},
                                                  {2, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}};
@@ -76,8 +76,8 @@ static const uint8_t FMB_MINORS_SET_3[56] = {
     56,  67,  69,  70,  73,  74,  76,  81,  82,  84,  88,  97,  98,  100, 104, 112, 131, 133, 134,
     137, 138, 140, 145, 146, 148, 152, 161, 162, 164, 168, 176, 193, 194, 196, 200, 208, 224};
 
-/* Words with a bit for each set of numbers below 6, in its place as a binary number: for those
- * without j; for those with an even number of numbers above j; for those of a size. */
+/* Bit s of a word stands for the set s of numbers below 6: is j not in the set? Is the number of
+ * elements above j even? Has the set k elements? */
 static const uint64_t FMB_MINORS_WITHOUT[6] = {0x5555555555555555, 0x3333333333333333,
                                                0x0f0f0f0f0f0f0f0f, 0x00ff00ff00ff00ff,
                                                0x0000ffff0000ffff, 0x00000000ffffffff};

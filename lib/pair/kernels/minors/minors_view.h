@@ -9,8 +9,8 @@
 typedef struct minors_kind {
     int dim, n; /* n columns, the last one the drift if there is one */
     bool simplices, moves;
-    /* of one of each (minors_mixed.h): this view is that of the cuboid from the simplex, that of
-     * the simplex from the cuboid */
+    /* of a cuboid and a simplex (minors_mixed.h): this view is that of the cuboid from the simplex,
+     * that of the simplex from the cuboid */
     bool from_simplex, from_cuboid;
 } minors_kind;
 
@@ -21,7 +21,7 @@ FMB_INLINE minors_kind minors_kind_of(int dim, int what)
     return (minors_kind){dim, dim + simplices + moves, simplices, moves, what / 2 == 2, false};
 }
 
-/* The kind of the view of one side; A is the simplex of one of each. */
+/* The kind of the view of one side; of a cuboid and a simplex, A is the simplex. */
 FMB_INLINE minors_kind minors_side(minors_kind d, int side)
 {
     d.from_cuboid = d.from_simplex && side == 1;
@@ -39,8 +39,8 @@ FMB_INLINE int minors_words(minors_kind d)
 {
     return d.n > 6 ? 1 << (d.n - 6) : 1;
 }
-/* Lanes of the minors of k columns in one set of rows; of simplices words of their signs stand
- * behind them, and then whether these are certain: negative if all are. */
+/* Lanes of the minors of k columns in one set of rows; for simplices followed by the words of their
+ * signs and a lane that is negative iff all signs are certain. */
 FMB_INLINE int minors_stride(minors_kind d, int k)
 {
     return fmb_minors_choose(d.n, k) + (d.simplices ? minors_words(d) + 1 : 0);

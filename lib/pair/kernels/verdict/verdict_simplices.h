@@ -5,35 +5,35 @@
 
 #include "pair/kernels/verdict/verdict_gaps.h"
 
-/* B is the simplex v, v + e_0, ..., moving by t drift. A is the cube or the simplex 0 <= y_i / det
- * A
- * (<= 1), sum <= 1; for a simplex y has the sign of det A, and one coordinate more, the last, what
- * is left of the sum. size = |det A|. Where rows are slabs, all is doubled and from A's middle: s =
- * 2 v - det A is B's start, and m = s + sum e + drift; then A is |z_i| <= size, also the simplex in
- * the coordinates along one of its edges.
+/* Notation: y are coordinates in A's frame (local_frame.h), size = |det A|. A is the cube
+ * 0 <= y_i / det A <= 1; or the simplex 0 <= y_i, sum y_i <= size, whose y have the sign of det A
+ * and a last coordinate more, size - sum y_i. B is the simplex with the corners v and v + e_i,
+ * moving by t drift, 0 <= t <= 1. Slabs are in coordinates z = 2 y - det A: A lies in |z_i| <=
+ * size, B starts at s = 2 v - det A, and m = s + sum e_i + drift is the middle of v + sum
+ * [0, 1] e_i + [0, 1] drift. (p, q, r) is a cyclic permutation of (0, 1, 2).
  *
- * Rows of B, in space: w_p = e_q x e_r with (p, q, r) = (0, 1, 2) or turned round, and w_3 = -(w_0
- * + w_1 + w_2); with the sign of det B, w_p (y - v) >= 0, and >= -|det B| for w_3. (In the plane:
- * w_0 = e_1, w_1 = -e_0, each turned by a right angle.) Where A is a cube, both sides of B are
- * compared, as slabs: w_p m for p < D, w_D m + (D - 1) det B is the distance of the middles, |det
- * B| B's width.
+ * 1. Rows of B, in space: w_p = e_q x e_r, and w_3 = -(w_0 + w_1 + w_2); with the sign of det B,
+ *    w_p (y - v) >= 0 for p < 3, and w_3 (y - v) >= -|det B|. In the plane: w_0 = e_1, w_1 = -e_0,
+ *    each turned by a right angle. If A is a cube these are slabs of half-width |det B|, with the
+ *    middles w_p m for p < D, and w_D m + (D - 1) det B.
+ * 2. Eliminating a direction d from rows p and q, a_p = w_p d, leaves a row along the edge that the
+ *    two faces share: a_p w_q - a_q w_p = det B (e_r x d). So no row needs to be formed. Along
+ *    u = e_r x d the two other corners of B are g = a_p and h = -a_q from the edge; along
+ *    u = (e_r - e_q) x d, from rows 3 and p, v and v + e_p are g = -a_p and h = a_3 from it.
+ * 3. The row counts only if g and h have one sign: then B lies between 0, its near end, and g + h.
+ *    So the slab from min(0, g) + min(0, h) to max(0, g) + max(0, h), of half-width |g| + |h| in z,
+ *    always contains B, its near end is exact where the row counts, and no sign is tested. Likewise
+ *    a simplex A along u, in the coordinates k, l that are 0 along its edge d: its half-width is
+ *    size (|x_k| + |x_l|) for the edge x of B.
+ * 4. The distance of the middles is T = x_l m_k - x_k m_l for the edge x = e_r; for e_r - e_q it is
+ *    the difference of those of e_r and e_q, less 2 a_p; for d = d_j - d_k it is the difference of
+ *    those of d_j and d_k, plus 2 size x_i, i the third index.
+ * 5. If B moves, the half-width grows by |u drift|, a coordinate of edge x drift; and time is
+ *    eliminated likewise: u = e_r x drift, with drift for d, and the drift with each edge of A.
  *
- * Eliminating a direction d from two rows p, q leaves the row along the edge that the two faces
- * share: with a_p = w_p d, a_p w_q - a_q w_p = det B (e_r x d), for p, q < 3. So no row needs to be
- * formed. On u = e_r x d the other two vertices of B have a_p and -a_q more than v; on u = (e_r -
- * e_q) x d, from rows 3 and p, v and e_p have -a_p and a_3 more than v + e_q. Only if these agree
- * in sign is the pair one to eliminate with, and then B reaches from 0 to their sum. So B may be
- * taken to reach from min(0, x) + min(0, y) to max(0, x) + max(0, y), which is never too little:
- * width |x| + |y|, middle x + y, and no sign is asked for. Of a simplex A the same holds in
- * coordinates k, l along its edge d: size |x_k| + size |x_l| for the edge x of B. The distance of
- * the middles is T = x_l m_k - x_k m_l for e_r; for e_r - e_q it is the difference of those, less 2
- * a_p; and for d = d_j - d_k that of d_j and d_k, and 2 det A x_i more, i the third. Moving, |u
- * drift| is added, a coordinate of the cross product of edge and drift. Time is eliminated in the
- * same way: u = e_r x drift, and drift for d; and the drift is eliminated with an edge of A.
- *
- * These rows are all there are: docs/theory.md, theorem 34. If B is flat, a row that vanishes has
- * the gap 0, so "meet" is not said; where rows stand on one side only, A being a simplex, the sign
- * of det B must be certain.
+ * Completeness: docs/theory.md, theorem 34. If B is flat, a row that vanishes has the gap 0, so the
+ * verdict is not "meet"; where A is a simplex, rows are one-sided, and the sign of det B must be
+ * certain.
  *
  * Errors, also where the sign of det B is wrong: docs/error-bounds.md, "Simplices" and "Signs";
  * bound and more are its X and Y.
@@ -45,7 +45,7 @@ typedef struct fmb_simplices {
     /* in space, and doubled */
     lane size, twice;                       /* twice = 2 size */
     lane start[3], middle[3];               /* s, m */
-    lane swept[3][3], along[3][3], past[3]; /* e x drift, T, the same of drift and s */
+    lane swept[3][3], along[3][3], past[3]; /* e x drift, m x e, s x drift */
 } fmb_simplices;
 
 FMB_INLINE lane fmb_sum(const lane *x, int n)
@@ -126,7 +126,7 @@ FMB_INLINE lane fmb_simplices_most(fmb_kind kind, const lane *w, lane s)
     return most;
 }
 
-/* The gap of the row w, which is away at v and moves by along until t = 1, with the sign of s. */
+/* The gap of the row w, with the sign of s; w v = away, and w drift = along. */
 FMB_INLINE lane fmb_simplices_row(fmb_kind kind, const fmb_simplices *c, const lane *w, lane away,
                                   lane along, lane s)
 {
@@ -154,8 +154,8 @@ FMB_INLINE void fmb_simplices_rows(fmb_kind kind, fmb_simplices *c)
         c->w[n][i] = -(c->w[0][i] + c->w[1][i] + (n == 3 ? c->w[2][i] : lane_of(0)));
 }
 
-/* ... the largest gap; A is a cuboid of the plane. Only sizes of coefficients count, so none is
- * turned round. */
+/* B's rows, A a cuboid in the plane: the largest gap. Only absolute values of coefficients count:
+ * no sign is applied. */
 FMB_INLINE lane fmb_simplices_strips(fmb_kind kind, fmb_simplices *c)
 {
     const lane *p = c->e[0], *q = c->e[1];
@@ -181,7 +181,7 @@ FMB_INLINE lane fmb_simplices_strips(fmb_kind kind, fmb_simplices *c)
     return most - lane_abs(c->det);
 }
 
-/* ... of space. */
+/* B's rows, A a cuboid in space: the largest gap. */
 FMB_INLINE lane fmb_simplices_slabs(fmb_kind kind, const fmb_simplices *c)
 {
     lane most = lane_of(0), away[4], along[4];
@@ -201,7 +201,7 @@ FMB_INLINE lane fmb_simplices_slabs(fmb_kind kind, const fmb_simplices *c)
     return most - lane_abs(c->det);
 }
 
-/* ... the largest gap; A is a simplex. */
+/* B's rows, A a simplex: the largest gap. */
 FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, const fmb_simplices *c)
 {
     const int n = kind.dim;
@@ -221,7 +221,7 @@ FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, const fmb_simplices *c)
     return most;
 }
 
-/* The class of B's rows. */
+/* Add the class of B's rows to the gaps. */
 FMB_INLINE void fmb_simplices_ask(fmb_kind kind, const local_frame *f, fmb_simplices *c,
                                   fmb_gaps *gaps)
 {
@@ -260,8 +260,8 @@ FMB_INLINE lane fmb_turned(const lane *x, const lane *y, fmb_simplex_columns in)
     return lane_fms(x[in.l], y[in.k], x[in.k] * y[in.l]);
 }
 
-/* Edge j of B, of 6; edge 3 + p is e_r - e_q. The two faces beside it: of those rows, in this
- * order, comes the row along the edge. */
+/* One of the two faces of B beside its edge j of 6, in the order in which their rows are combined;
+ * edge 3 + p is e_r - e_q. */
 FMB_INLINE int fmb_simplices_face(int j, int side)
 {
     if (j < 3)
@@ -269,7 +269,7 @@ FMB_INLINE int fmb_simplices_face(int j, int side)
     return side == 0 ? j - 3 : 3;
 }
 
-/* What lies along axis i of A: of the cross products with it, and of those with the drift. */
+/* Coordinates i of the cross products m x e and e x drift: those along axis i of A. */
 FMB_INLINE void fmb_simplices_look(fmb_kind kind, fmb_simplices *c, int i)
 {
     const fmb_simplex_columns in = fmb_columns_of(i);
@@ -280,7 +280,7 @@ FMB_INLINE void fmb_simplices_look(fmb_kind kind, fmb_simplices *c, int i)
     }
 }
 
-/* x on direction `edge` of A: the first three are x itself. */
+/* The product of x with direction `edge` of A; the first three directions are the axes. */
 FMB_INLINE lane fmb_simplices_on(const lane *x, int edge)
 {
     if (edge < 3)
@@ -288,7 +288,8 @@ FMB_INLINE lane fmb_simplices_on(const lane *x, int edge)
     return x[(edge + 1) % 3] - x[(edge + 2) % 3];
 }
 
-/* All pairs of rows of B that share an edge, one of A eliminated: the largest gap. */
+/* All pairs of rows of B that share an edge, the direction of an edge of A eliminated: the largest
+ * gap. */
 FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, fmb_simplices *c, int edge)
 {
     const fmb_simplex_columns in = fmb_columns_of(edge);
@@ -350,7 +351,7 @@ FMB_INLINE lane fmb_simplices_swept(fmb_simplices *c, int edge)
     return lane_abs(away + (high + low)) - reach;
 }
 
-/* A row along the drift and an edge of B, which is u; B and A's middle are away from each other. */
+/* The gap of the row u = (edge of B) x drift; away: the distance of the middles of B and A. */
 FMB_INLINE lane fmb_simplices_late(fmb_kind kind, const fmb_simplices *c, const lane *u, lane away)
 {
     lane low = lane_of(0), high = lane_of(0);
