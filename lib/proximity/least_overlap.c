@@ -1,14 +1,16 @@
 /* least_overlap.c: see least_overlap.h.
  *
- * A facet of M is a face of P less a face of Q, with the drift or without. Its directions are those
- * of edges of the two faces, and the drift. Of a face of a cuboid the edges span all, of a face of
- * a simplex those from any one of its corners: so D - 1 independent ones among these span the
- * facet, and the normals of all such choices are those of all facets, and more. None of them tells
- * less than the depth: where M has an interior then its depth is the least of overlap / size.
+ * Theorem. If M has an interior, its depth is the least overlap / size over the normals of all
+ * choices of D - 1 independent directions, from: the drift; edges of P and of Q, all of a cuboid,
+ * those of a simplex at one corner.
+ * Proof. The depth is the overlap / size of a facet, and no other normal has less: along any normal
+ * M reaches at least as far as its largest ball around 0. A facet is a face of P less a face of Q,
+ * with the drift or without: directions of edges of both faces and the drift span it. All edges of
+ * the face of a cuboid, or the edges of the face of a simplex at one of its corners, span the face.
  *
- * The coordinates of a normal are the minors of its D - 1 directions. They are made one direction
- * after the other, so that choices that begin alike share minors, and only where doubles do not
- * tell that the overlap is larger than the least one known (rough_overlap.c).
+ * The coordinates of a normal are the minors of its D - 1 directions. They are computed direction
+ * by direction, so that choices with a common beginning share minors, and only where doubles do not
+ * prove that the overlap is more than the least known (rough_overlap.c).
  */
 #include "proximity/least_overlap.h"
 
@@ -44,7 +46,8 @@ static fmb_normal_direction *add_direction(fmb_normal_search *x, int side, int g
     return d;
 }
 
-/* Edges of corner `group` of that side; of corner 0, the origin, they are the axes. */
+/* Add the edges from corner `group` to later corners; for corner 0, the origin, these are the axes.
+ */
 static void add_edges(fmb_normal_search *x, int side, int group)
 {
     const fmb_minkowski_frame *f = &x->m->frame[side];
@@ -117,8 +120,8 @@ static unsigned next_set(unsigned set)
     return carry | (set ^ carry) >> (2 + __builtin_ctz(low));
 }
 
-/* All minors of one direction more, by Laplace expansion along it: their signs are right, or all of
- * them are wrong. Are they all 0? */
+/* All minors with one more direction, by Laplace expansion along it; either all have the right
+ * sign, or all the wrong one. Are they all 0? */
 static bool find_exact_minors(fmb_normal_search *x, int level)
 {
     bool zero = true;
@@ -137,7 +140,7 @@ static bool find_exact_minors(fmb_normal_search *x, int level)
     return zero;
 }
 
-/* Does the direction chosen last depend on those before? *told: doubles told of all so far. */
+/* Is the last chosen direction dependent on the earlier ones? *told: doubles decided all so far. */
 static bool is_dependent(fmb_normal_search *x, int level, bool *told)
 {
     bool zero = false;
@@ -150,8 +153,8 @@ static bool is_dependent(fmb_normal_search *x, int level, bool *told)
 
 /* ---- overlaps in whole numbers --------------------------------------------------------------- */
 
-/* What M spans along the normal at hand; the overlap is the smaller way from 0 out of it, and the
- * normal is turned to where that leads. */
+/* The extent of M along the normal of the present choice. The overlap is the shorter way from 0 out
+ * of M, and the normal is oriented that way. */
 static void measure_overlap(fmb_normal_search *x)
 {
     fmb_least_overlap *n = &x->at;
@@ -183,7 +186,7 @@ static void measure_overlap(fmb_normal_search *x)
         mpz_neg(n->normal[j], n->normal[j]);
 }
 
-/* The normal at hand, as it is in the units of the space. */
+/* Convert the present normal to the units of the space, and compute its size. */
 static void measure_normal(fmb_normal_search *x)
 {
     fmb_least_overlap *n = &x->at;
@@ -200,7 +203,8 @@ static void measure_normal(fmb_normal_search *x)
     }
 }
 
-/* Is what is at hand less than the least? Neither is less than 0, but where that decides. */
+/* Is the present overlap / size less than the least? A negative overlap decides; else both are at
+ * least 0. */
 static bool is_less(fmb_normal_search *x, const fmb_least_overlap *least)
 {
     if (!least->found || mpz_sgn(x->at.overlap) < 0)
@@ -225,7 +229,7 @@ static void swap_overlaps(fmb_least_overlap *a, fmb_least_overlap *b)
 
 /* ---- all normals ----------------------------------------------------------------------------- */
 
-/* The normal of the choice at hand in whole numbers, beside the least one. */
+/* Compute the normal of the present choice in integers, and compare it with the least one. */
 static fmb_status measure(fmb_normal_search *x, fmb_least_overlap *out)
 {
     while (x->known < x->m->dim - 1)
@@ -240,7 +244,7 @@ static fmb_status measure(fmb_normal_search *x, fmb_least_overlap *out)
     return fmb_run_poll(x->run);
 }
 
-/* The same for the choice that waits, if one does. */
+/* Likewise for the waiting choice, if there is one. */
 static fmb_status measure_waiting(fmb_normal_search *x, fmb_least_overlap *out)
 {
     int chosen[FMB_NORMALS_MOST_DIM];
@@ -256,9 +260,9 @@ static fmb_status measure_waiting(fmb_normal_search *x, fmb_least_overlap *out)
     return st;
 }
 
-/* The normal of dim - 1 directions, which are independent; told: doubles tell so. One that is
- * surely less than the least waits until another is neither surely less nor more: so those which
- * are the least for a while cost no whole numbers. */
+/* Test the normal of dim - 1 independent directions; told: doubles proved their independence. A
+ * normal with surely less overlap than the least waits until one is met that is neither surely less
+ * nor surely more: so those that are the least only for a while are not computed in integers. */
 static fmb_status look_at_normal(fmb_normal_search *x, bool told, fmb_least_overlap *out)
 {
     if (told && fmb_normal_is_surely_more(x))
@@ -274,13 +278,13 @@ static fmb_status look_at_normal(fmb_normal_search *x, bool told, fmb_least_over
     return measure(x, out);
 }
 
-/* Is 0 known not to be inside of M? Then no other normal tells more. */
+/* Is 0 known not to be inside M? Then no other normal is needed. */
 static bool is_on_boundary(const fmb_least_overlap *x)
 {
     return x->found && mpz_sgn(x->overlap) <= 0;
 }
 
-/* So many at most can be chosen behind that one. */
+/* At most so many directions can be chosen after d. */
 static int directions_after(const fmb_normal_search *x, const fmb_normal_direction *d)
 {
     int n = x->of[d->side].axes - d->end;
@@ -289,7 +293,7 @@ static int directions_after(const fmb_normal_search *x, const fmb_normal_directi
     return n;
 }
 
-/* All choices that go on from the first `level`; told: doubles tell that these are independent. */
+/* All choices that begin with the first `level` ones; told: doubles proved these independent. */
 static fmb_status choose(fmb_normal_search *x, int level, int from, bool told,
                          fmb_least_overlap *out)
 {
@@ -311,8 +315,8 @@ static fmb_status choose(fmb_normal_search *x, int level, int from, bool told,
     return st;
 }
 
-/* At right angles to all directions, of which less than dim - 1 are independent: axes of the world
- * are taken in for the others. */
+/* A normal perpendicular to all directions, of which fewer than dim - 1 are independent: axes of
+ * the world complete them. */
 static void take_any_normal(fmb_normal_search *x, fmb_least_overlap *out)
 {
     int level = 0;

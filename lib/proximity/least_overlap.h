@@ -9,13 +9,13 @@
 #include "proximity/minkowski.h"
 #include "proximity/overlap.h"
 
-/* Are there normals for M, and not too many? */
+/* Does fmb_find_least_overlap apply: at most eight dimensions, no frame with more axes? */
 bool fmb_has_normals(const fmb_minkowski *m);
 
 void fmb_least_overlap_init(fmb_least_overlap *x);
 void fmb_least_overlap_clear(fmb_least_overlap *x);
-/* Less than 0: they are apart, and there may be less. More: M has an interior, and this is the
- * depth. If it is 0 then they touch, or M is flat and they may be apart. Errors: MEMORY, LIMIT. */
+/* Overlap < 0: the frames are apart, and another normal may have less. > 0: M has an interior, and
+ * this is the depth. 0: they touch, or M is flat and they may be apart. Errors: MEMORY, LIMIT. */
 fmb_status fmb_find_least_overlap(fmb_minkowski *m, fmb_norm norm, fmb_run *run,
                                   fmb_least_overlap *out);
 

@@ -1,9 +1,8 @@
-/* normal_search.h: between the files of the least overlap: all normals of facets, choice by choice.
+/* normal_search.h: shared by the files of the least overlap: enumeration of the normals of facets.
  *
- * Doubles tell of most normals that there is more overlap along them (rough_overlap.c); where they
- * do not, minors of the directions chosen in whole numbers do. These are short where they can be:
- * what all share of a coordinate is no part of it, and what all numbers of a direction share is no
- * part of that one.
+ * For most normals doubles prove that the overlap along them is not the least (rough_overlap.c);
+ * the others are computed as integers, from minors of the chosen directions. These are kept short:
+ * coordinates and directions are divided by the powers of 2 that all their numbers share.
  */
 #ifndef FMB_PROXIMITY_NORMAL_SEARCH_H
 #define FMB_PROXIMITY_NORMAL_SEARCH_H
@@ -15,34 +14,34 @@
 
 enum {
     FMB_NORMAL_MOST_DIRECTIONS = FMB_NORMALS_MOST_DIM * (FMB_NORMALS_MOST_DIM + 1) + 1 +
-                                 FMB_NORMALS_MOST_DIM, /* edges, the drift, axes of the world */
+                                 FMB_NORMALS_MOST_DIM, /* edges, drift, world axes */
     FMB_NORMAL_COLUMNS = 3 * FMB_NORMALS_MOST_DIM + 2  /* axes, drift, away, coordinates */
 };
 
-/* Edges of one side are chosen together if they belong to one group: those of a cuboid are one
- * group, those of a simplex that start at one corner. Those of Q are negated. */
+/* Edges of one frame may be chosen together if they are in one group: all edges of a cuboid, or the
+ * edges of a simplex at one corner. Those of Q are negated. */
 typedef struct fmb_normal_direction {
-    int side, group, end; /* side 2: the drift; 3: the world; `end` is the other corner */
-    int from, to;         /* columns: it is `to` less `from`, or `to` alone if that is -1 */
+    int side, group, end; /* side 2: the drift; 3: the world; `end`: the end corner */
+    int from, to;         /* columns: `to` less `from`, or `to` alone if from is -1 */
     mpz_t *exact;         /* [dim] times 2^-power */
     mp_bitcnt_t power;
 } fmb_normal_direction;
 
-/* P, Q and the drift: M is `away` and a point of each, which is a sum of shares of its axes, of a
- * simplex of all of them no more than 1. */
+/* M is `away` plus the sum of three sets: P, Q (negated) and the drift, each the points sum c_i
+ * axis_i with 0 <= c_i <= 1, and sum c_i <= 1 for a simplex. */
 typedef struct fmb_normal_summand {
     int axes, first; /* directions */
     bool simplex;
 } fmb_normal_summand;
 
-/* What is left of all columns at right angles to the directions chosen, and bounds for the numbers
- * of each row and what they are off by. */
+/* The rows left by elimination of the chosen directions, with bounds of each row's numbers and of
+ * their errors. */
 typedef struct fmb_normal_rest {
     double x[FMB_NORMALS_MOST_DIM][FMB_NORMAL_COLUMNS], most[FMB_NORMALS_MOST_DIM],
         off[FMB_NORMALS_MOST_DIM];
 } fmb_normal_rest;
 
-/* For an overlap / size, as it is in doubles. */
+/* Bounds of overlap / size, in the units of the doubles. */
 typedef struct fmb_normal_bounds {
     double low, high;
 } fmb_normal_bounds;
@@ -52,40 +51,42 @@ typedef struct fmb_normal_search {
     fmb_norm norm;
     fmb_run *run;
     fmb_mem *mem;
-    int directions; /* without those of the world, which follow */
+    int directions; /* without world axes, which follow */
     fmb_normal_direction direction[FMB_NORMAL_MOST_DIRECTIONS];
     fmb_normal_summand of[3];
-    /* Coordinate j is 2^unit[j] as long as it is here. */
+    /* Coordinates j are stored divided by 2^unit[j]. */
     mp_bitcnt_t unit[FMB_NORMALS_MOST_DIM], coarsest;
     int chosen[FMB_NORMALS_MOST_DIM];
     mpz_t
-        *exact; /* [sets] of the first `known` directions chosen: minors by sets of so many rows */
+        *exact; /* [sets] minors of the first `known` chosen directions, by sets of `known` rows */
     int known;
     mpz_t *away; /* [dim] origin of P - origin of Q */
-    /* In doubles, by the number of directions chosen: columns, whose length is there beside them;
-     * that of a coordinate is its share of the longest; all is 2^scale as long as it is there. */
+    /* The doubles: rows by the number of chosen directions; column c was divided by length[c], and
+     * coordinate j of a normal is to be multiplied by share[j]; a true overlap is 2^scale times the
+     * one in doubles. */
     fmb_normal_rest rest[FMB_NORMALS_MOST_DIM];
     double length[FMB_NORMAL_COLUMNS], share[FMB_NORMALS_MOST_DIM];
     long scale;
-    /* The least known; if it waits then it is that of the choice `waiting`, and nobody has seen it
-     * in whole numbers. */
+    /* The least overlap known. If it waits, it belongs to the choice `waiting`, and is not computed
+     * in integers yet. */
     fmb_normal_bounds best;
     bool waits;
     int waiting[FMB_NORMALS_MOST_DIM];
-    fmb_least_overlap at; /* the one at hand */
+    fmb_least_overlap at; /* the present choice */
     mpz_t *cell;          /* [cells] all numbers */
     size_t cells;
     mpz_t low, high, span[2], t, s;
 } fmb_normal_search;
 
-/* Doubles of all numbers, once the whole ones are there; directions are shortened. */
+/* Set up the doubles from the integers; directions are divided by their powers of 2. */
 void fmb_normal_search_scale(fmb_normal_search *x);
-/* That is the least overlap now. */
+/* Make `least`, computed in integers, the least overlap known. */
 void fmb_normal_search_take(fmb_normal_search *x, const fmb_least_overlap *least);
-/* The direction chosen behind so many: do doubles tell that it does not depend on them? They must
- * have told it of those, too. */
+/* Do doubles prove that the direction after the first `chosen` ones is independent of these? They
+ * must have proved the same for each of these. */
 bool fmb_normal_is_independent(fmb_normal_search *x, int chosen);
-/* If they told it of all: does the normal surely have more overlap than the least? How much? */
+/* If doubles proved all chosen directions independent: is the overlap along their normal surely
+ * more than the least known? Bounds of it. */
 bool fmb_normal_is_surely_more(const fmb_normal_search *x);
 fmb_normal_bounds fmb_normal_bound(const fmb_normal_search *x);
 

@@ -7,11 +7,11 @@
 
 enum { FMB_NORMALS_MOST_DIM = 8 };
 
-/* M (minkowski.h) reaches from 0 in the direction of a normal n as far as overlap / size of n: its
- * length, or the sum of its coordinates without their signs. Numbers are whole; the size of the
- * Euclidean norm is a square. */
+/* M (minkowski.h) reaches from 0 to overlap / size along a normal, size being the norm of the
+ * normal: its length, or the sum of the absolute values of its coordinates. All are integers; for
+ * the Euclidean norm, `size` is the square of the length. */
 typedef struct fmb_least_overlap {
-    bool found; /* else all normals are 0, and this one is at right angles to M, at overlap 0 */
+    bool found; /* else no choice has a normal; this one is perpendicular to M, with overlap 0 */
     mpz_t normal[FMB_NORMALS_MOST_DIM], overlap, size;
 } fmb_least_overlap;
 

@@ -1,23 +1,23 @@
-/* rough_overlap.c: what doubles tell of the overlap along a normal; see normal_search.h.
+/* rough_overlap.c: bounds in doubles for the overlap along a normal; see normal_search.h.
  *
- * Let X have the vectors of M as columns, and those of the unit matrix behind them, a row for each
- * coordinate. Each direction that is chosen takes one row, the one where it is largest, from the
- * others, as often as it is 0 in them then. So what is left are sums of rows which are 0 along all
- * directions chosen: after D - 1 of them one row y, the normal, with its products with each vector
- * in the columns of those, and y itself in the last ones. Rows and columns are scaled by powers of
- * 2 so that no number is larger than 1: what a coordinate is divided by its normal is multiplied
- * by.
+ * Gaussian elimination. X has a row for each coordinate; its columns are the vectors of M (axes,
+ * drift, difference of the origins) and then those of the unit matrix. A chosen direction v is one
+ * column or a difference of two: its pivot row p, where |v| is largest, clears v in the other rows,
+ * and is dropped. After D - 1 directions one row is left. It is a combination of the rows of X that
+ * is 0 on all chosen directions: so its numbers in the columns of the unit matrix are a normal, and
+ * those in the columns of vectors are their products with this normal. Rows and columns are scaled
+ * by powers of 2 so that no number exceeds 1; what divides a coordinate multiplies the normal's.
  *
- * Let u = 2^-52, and in each row no number be larger than `most`, and none off by more than `off`.
- * The numbers v_r of a direction, a column or a difference of two, are off by f_r. As row p is
- * where v is largest, a row r loses m = v_r / v_p times row p, |m| <= 1, and with v' and m' exact
+ * Errors. Let u = 2^-52. In each row `most` bounds the numbers, and `off` their errors; the numbers
+ * v_r of a direction have errors of at most f_r. Row r loses m = v_r / v_p times row p, |m| <= 1.
+ * With v' and m' the exact values of v and m,
  *
  *     |m - m'| <= |v_r v_p' - v_r' v_p| / |v_p v_p'| + u <= (f_r + |m| f_p) / (|v_p| - f_p) + u.
  *
- * Hence x_r - m x_p is off by off_r + |m| off_p + |m - m'| (most_p + off_p), by the rounding, at
- * most u (most_r + 2 |m| most_p), and by what is lost where doubles end. FMB_NORMAL_ROUNDING is 2 u
- * and leaves far more than these bounds are rounded by. Where |v_p| > f_p the exact one is not 0,
- * and the direction does not depend on those before it.
+ * Hence the error of x_r - m x_p is at most off_r + |m| off_p + |m - m'| (most_p + off_p), plus
+ * u (most_r + 2 |m| most_p) for rounding, plus underflow. FMB_NORMAL_ROUNDING is 2 u: the second u
+ * is far more than the rounding of these bounds themselves. If |v_p| > f_p then v_p' is not 0, and
+ * the direction is independent of those chosen before it.
  */
 #include <limits.h>
 #include <math.h>
@@ -28,7 +28,7 @@
 #define FMB_NORMAL_ROUNDING 0x1p-51
 #define ABOVE               (1 + 0x1p-40)
 #define BELOW               (1 - 0x1p-40)
-#define LEAST               0x1p-1000 /* far above what is lost where doubles end */
+#define LEAST               0x1p-1000 /* far above any underflow */
 
 enum {
     MOST = FMB_NORMALS_MOST_DIM,
@@ -36,12 +36,12 @@ enum {
     AWAY,
     VECTORS, /* columns of vectors; those of coordinates follow */
     LONGEST =
-        900 /* the largest length of a vector is this power of 2: far smaller ones are there */
+        900 /* exponent of the largest length of a vector: far smaller ones do not underflow */
 };
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
-/* What all numbers of a direction share of powers of 2 goes out of it. */
+/* Divide a direction by the largest power of 2 that divides all its numbers. */
 static void shorten(fmb_normal_search *x, fmb_normal_direction *d)
 {
     mpz_set_ui(x->t, 0);
@@ -52,13 +52,13 @@ static void shorten(fmb_normal_search *x, fmb_normal_direction *d)
         mpz_tdiv_q_2exp(d->exact[j], d->exact[j], d->power);
 }
 
-/* 0 where doubles end */
+/* 0 on underflow, infinity on overflow */
 static double power_of_two(long exponent)
 {
     return exponent < -1100 ? 0 : exponent > 1023 ? INFINITY : ldexp(1, (int)exponent);
 }
 
-/* x 2^power; of 0 x = 0. */
+/* The number x 2^power; x = 0 for 0. */
 typedef struct mantissa {
     double x;
     long power;
@@ -96,7 +96,7 @@ static long top_power(const mantissa *x, int n, int step)
     return top == LONG_MIN ? 0 : top;
 }
 
-/* Rows by directions alone. */
+/* Scale rows, by the columns of directions only. */
 static void scale_rows(fmb_normal_search *x, mantissa row[MOST][VECTORS])
 {
     long top[MOST], finest = LONG_MAX;
@@ -158,7 +158,9 @@ void fmb_normal_search_take(fmb_normal_search *x, const fmb_least_overlap *least
 
 /* ---- directions ------------------------------------------------------------------------------ */
 
-/* Numbers of a direction, and what they may be off by, with so many chosen. */
+/* The numbers of direction d in the rows left after `chosen` directions, and bounds of their
+ * errors.
+ */
 static void find_direction(const fmb_normal_search *x, int chosen, const fmb_normal_direction *d,
                            double *v, double *off)
 {
@@ -217,9 +219,9 @@ static two larger(two a, two b)
     return (two)((first & (two_words)a) | (~first & (two_words)b));
 }
 
-/* What comes with the columns of one side from y and `length` on, along sign times the normal: each
- * is larger by `off`, and nothing if that is below 0; of sums all of them, of a simplex the
- * largest.
+/* What the columns of one frame, at y and `length`, contribute along sign times the normal: each
+ * product is increased by `off`, and counts as 0 if it is negative then; a cuboid has the sum of
+ * these, a simplex the largest.
  */
 static double end_of(const double *y, const double *length, bool simplex, double sign, double off)
 {
@@ -234,9 +236,9 @@ static double end_of(const double *y, const double *length, bool simplex, double
     return simplex ? (most[0] > most[1] ? most[0] : most[1]) : sum[0] + sum[1];
 }
 
-/* How far M reaches along sign times the normal, and no more (up = 1) or no less (-1) than that:
- * each column goes as far as its length and what it is off by allow, and not at all if that is
- * back. So of what is surely back, or not there, nothing is off. Less than 20 numbers are summed.
+/* An upper (up = 1) or lower (up = -1) bound of how far M reaches along sign times the normal: each
+ * product is moved by its error bound, and counts as 0 if it is negative then; so columns that
+ * surely point back, or are absent, add no error. Fewer than 20 numbers are summed.
  */
 static double reach_of(const fmb_normal_search *x, double sign, double up)
 {
@@ -249,8 +251,8 @@ static double reach_of(const fmb_normal_search *x, double sign, double up)
     return end + away + up * (32 * FMB_NORMAL_ROUNDING * (end + fabs(away)) + LEAST);
 }
 
-/* No less (up = 1) or no more (-1) than the size of the normal. Of numbers of 2^-51 and more no
- * square that counts is lost. */
+/* An upper (up = 1) or lower (-1) bound of the size of the normal. One share is 1, and `off` is at
+ * least 2^-51: squares that underflow are negligible in the upper bound. */
 static double size_of(const fmb_normal_search *x, double up)
 {
     const fmb_normal_rest *rest = &x->rest[x->m->dim - 1];
