@@ -14,9 +14,9 @@ enum { CONTACTS_AT_ONCE = 64 };
 
 typedef struct contact_query {
     fmb_pair *k;
-    const fmb_frame *p, *q; /* of the pairs at hand */
+    const fmb_frame *p, *q; /* of the current pairs */
     size_t n;
-    bool distances, rows;                  /* what is asked of those apart */
+    bool distances, rows;                  /* requested for pairs that are apart */
     fmb_verdict verdict[CONTACTS_AT_ONCE]; /* UNKNOWN: to be asked */
     bool good[CONTACTS_AT_ONCE];           /* and this is known: */
     fmb_pair_near near[CONTACTS_AT_ONCE];

@@ -13,7 +13,7 @@ typedef struct common_polygon {
     size_t n, dim;
     mpq_t *x;      /* [n][dim] */
     size_t *order; /* [n] */
-    size_t a, b;   /* the coordinates that it is seen in */
+    size_t a, b;   /* the coordinate plane of the projection */
     mpq_t t[3];    /* scratch */
 } common_polygon;
 

@@ -16,7 +16,7 @@
 typedef struct deepest {
     fmb_proximity *out;
     bool found;
-    mpq_t depth, size, b, a; /* of the row at hand: its measure, |a|^2 or the sum of |a_j| */
+    mpq_t depth, size, b, a; /* of the current row: its depth, |a|^2 or the sum of |a_j| */
 } deepest;
 
 /* The measure of how far 0 is from row i: b^2 / |a|^2, or b / sum |a_j|. */

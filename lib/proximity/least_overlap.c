@@ -1,12 +1,11 @@
 /* least_overlap.c: see least_overlap.h.
  *
  * Theorem. If M has an interior, its depth is the least overlap / size over the normals of all
- * choices of D - 1 independent directions, from: the drift; edges of P and of Q, all of a cuboid,
- * those of a simplex at one corner.
- * Proof. The depth is the overlap / size of a facet, and no other normal has less: along any normal
- * M reaches at least as far as its largest ball around 0. A facet is a face of P less a face of Q,
- * with the drift or without: directions of edges of both faces and the drift span it. All edges of
- * the face of a cuboid, or the edges of the face of a simplex at one of its corners, span the face.
+ * choices of D - 1 independent directions, from the drift and edges of P and Q: all of a cuboid,
+ * those of a simplex at one corner. Proof. The depth is the overlap / size of a facet, and no
+ * normal has less. A facet is a face of P less a face of Q, with the drift or without; the drift
+ * and the edges of both faces span it: all edges of a cuboid's face, those of a simplex's at one
+ * corner.
  *
  * The coordinates of a normal are the minors of its D - 1 directions. They are computed direction
  * by direction, so that choices with a common beginning share minors, and only where doubles do not
@@ -46,8 +45,7 @@ static fmb_normal_direction *add_direction(fmb_normal_search *x, int side, int g
     return d;
 }
 
-/* Add the edges from corner `group` to later corners; for corner 0, the origin, these are the axes.
- */
+/* Add the edges from corner `group` to later ones; for corner 0, the origin, these are the axes. */
 static void add_edges(fmb_normal_search *x, int side, int group)
 {
     const fmb_minkowski_frame *f = &x->m->frame[side];

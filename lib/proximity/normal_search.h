@@ -61,9 +61,8 @@ typedef struct fmb_normal_search {
         *exact; /* [sets] minors of the first `known` chosen directions, by sets of `known` rows */
     int known;
     mpz_t *away; /* [dim] origin of P - origin of Q */
-    /* The doubles: rows by the number of chosen directions; column c was divided by length[c], and
-     * coordinate j of a normal is to be multiplied by share[j]; a true overlap is 2^scale times the
-     * one in doubles. */
+    /* The doubles: rows by the number of chosen directions; column c was divided by length[c],
+     * number j of a normal is to be multiplied by share[j], and overlaps in doubles by 2^scale. */
     fmb_normal_rest rest[FMB_NORMALS_MOST_DIM];
     double length[FMB_NORMAL_COLUMNS], share[FMB_NORMALS_MOST_DIM];
     long scale;

@@ -158,9 +158,7 @@ void fmb_normal_search_take(fmb_normal_search *x, const fmb_least_overlap *least
 
 /* ---- directions ------------------------------------------------------------------------------ */
 
-/* The numbers of direction d in the rows left after `chosen` directions, and bounds of their
- * errors.
- */
+/* The numbers of direction d in the rows left after `chosen` ones, and bounds of their errors. */
 static void find_direction(const fmb_normal_search *x, int chosen, const fmb_normal_direction *d,
                            double *v, double *off)
 {
@@ -236,9 +234,9 @@ static double end_of(const double *y, const double *length, bool simplex, double
     return simplex ? (most[0] > most[1] ? most[0] : most[1]) : sum[0] + sum[1];
 }
 
-/* An upper (up = 1) or lower (up = -1) bound of how far M reaches along sign times the normal: each
- * product is moved by its error bound, and counts as 0 if it is negative then; so columns that
- * surely point back, or are absent, add no error. Fewer than 20 numbers are summed.
+/* A bound, upper (up = 1) or lower (-1), of how far M reaches along sign times the normal: products
+ * are moved by their error bounds, and negative ones count as 0; so columns that surely point back,
+ * or are absent, add no error. Fewer than 20 numbers are summed.
  */
 static double reach_of(const fmb_normal_search *x, double sign, double up)
 {

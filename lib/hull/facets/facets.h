@@ -3,11 +3,11 @@
  * The convex hull of points and rays is such a cone, one dimension higher: (x0, x) with x0 > 0 is
  * the point x / x0, and (0, x) is a ray. One of its facets may be x0 >= 0, the face at infinity.
  *
- * Invariants between calls, `rank` being the dimension of the span of the generators: -
- * equation[0..d - rank) are independent, and 0 on all generators; - the normal of a facet is >= 0
- * on all generators, and 0 exactly on those in its set `on`, which
- *   span rank - 1 dimensions;
- * - `next` of a facet lists the facets with which it shares a ridge, of rank - 2 dimensions.
+ * Invariants between calls, `rank` being the dimension of the span of the generators:
+ * 1. equation[0..d - rank) are independent, and 0 on all generators;
+ * 2. the normal of a facet is >= 0 on all generators, and 0 exactly on those in its set `on`, which
+ *    span rank - 1 dimensions;
+ * 3. `next` of a facet lists the facets with which it shares a ridge, of rank - 2 dimensions.
  * Normals are coprime, and unique up to equations. The same holds for cones that contain lines:
  * their lines are on every facet.
  *

@@ -1,13 +1,14 @@
 /* image_open_faces.c: faces of an image that strict rows exclude; see image.h.
  *
- * A point of the image is in the projection if some point above it satisfies every strict row; as
- * the rows are convex, if each strict row is positive at some point above it; and as a relative
- * interior point of a face has points above it that are interior to the preimage of the face, if
- * each strict row is positive on some ray above the face. So a face is excluded by row s exactly if
- * none of the rays on it is in N, the rays with s in their support. Faces are intersections of
- * facets: for a ray of N that is still on the face, one of the facets without it has to be added,
- * in all possible ways. Faces of strict facets are excluded anyway, and those of directions alone
- * contain no points; of the others, the maximal ones need rows.
+ * A relative interior point of a face F is in the projection iff some point above it satisfies
+ * every strict row; by convexity, iff each strict row is positive at some point above it; so, as
+ * some of these are relative interior points of the preimage of F, iff each is positive on some ray
+ * above F. Hence row s excludes F iff N contains no ray on F, N being the rays with s in their
+ * support.
+ *
+ * Faces are intersections of facets: to each ray of N that is still on the face, one of the facets
+ * without it is added, in all possible ways. Faces of strict facets are excluded anyway, and faces
+ * of directions alone contain no points; of the others, the maximal ones need rows.
  */
 #include <string.h>
 

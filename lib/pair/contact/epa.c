@@ -35,8 +35,8 @@ typedef struct surface {
     bool whole;
     double x[MOST_VERTICES][3];
     triangle t[MOST_TRIANGLES];
-    uint8_t edge[MOST_EDGES][2]; /* of what gave way, those that nothing passed in the other
-                                    direction; in the plane a vertex, and whether it is an end */
+    uint8_t edge[MOST_EDGES][2]; /* of removed triangles, passed in one direction only; in the plane
+                                    a vertex, and whether it is an end */
 } surface;
 
 /* False: there is no room. */

@@ -12,8 +12,8 @@
 
 #define CLOSE_UNIT LANE2_UNIT(true)
 
-/* What numbers count more than they are, so that the error has room for those that are off by
- * FMB_WIDE_LEAST: CLOSE_UNIT of it is more than that. */
+/* Added to the size of each number: CLOSE_UNIT of it exceeds FMB_WIDE_LEAST, the absolute error of
+ * small numbers. */
 #define LEAST_SIZE 0x1p-760
 
 /* ---- costs ----------------------------------------------------------------------------------- */
@@ -135,8 +135,8 @@ static double find_close_rest(const fmb_exact_box *v, lane2 *rest)
     return 4 * (s->columns + s->dim) * CLOSE_UNIT * size;
 }
 
-/* The way is R times what is left, in doubles, of which all but off is certain; what R is off is in
- * its bound. */
+/* Correct x by way = R rest, rest being the residual in double-doubles with errors of at most
+ * `off`; the error of R itself is bounded through `defect`. */
 static void need_close(fmb_exact_box *v)
 {
     int n = v->program->dim;
@@ -164,7 +164,7 @@ static void need_close(fmb_exact_box *v)
     v->has_close = true;
 }
 
-/* The value, scaled as its row is, and what it is off by at most. False: it is a constant. */
+/* The value, scaled as its row is, and a bound of its error. False: it is a constant. */
 static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, lane2 *value,
                              double *error)
 {

@@ -175,11 +175,11 @@ static void find_near(fmb_exact_box *v)
 
 /* ---- in integers -----------------------------------------------------------------------------
  *
- * Elimination without fractions (Bareiss 1968, Sylvester's identity and multistep
- * integer-preserving Gaussian elimination): with p_k on the diagonal when column k goes, p_-1 = 1,
- * all that is left are minors of P and its rest. What stays below the diagonal is L, on it and
- * above U, and P, its rows in the order of `row`, is L D^-1 U with D = diag(p_{k-1} p_k). The last
- * p_k is det, but for its sign.
+ * Fraction-free elimination (Bareiss 1968, Sylvester's identity and multistep integer-preserving
+ * Gaussian elimination): with the pivots p_k on the diagonal, p_-1 = 1, all entries not yet
+ * eliminated are minors of P and the remaining columns. The entries below the diagonal are L, those
+ * on and above it U, and P, with its rows in the order of `row`, is L D^-1 U, D = diag(p_{k-1}
+ * p_k). The last p_k is det up to its sign.
  */
 
 /* a[k][k - 1], or NULL. */

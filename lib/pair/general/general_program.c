@@ -34,9 +34,9 @@ static void load_with_slacks(const fmb_general_system *pair, fmb_general_system 
     }
 }
 
-/* Columns that fill the basis, each in the place where most is left of it: at first, a large share
- * of its largest entry. Slacks have places of their own. False if the columns do not span all rows:
- * less than 2^-44 of what a column was is taken for the rounding error of 0, a guess. */
+/* Fill the basis with columns, each in the row where its remainder is largest; at first only if
+ * that is a large share of its largest entry. Slacks have rows of their own. False if the columns
+ * do not span all rows: less than 2^-44 of a column is taken for 0, a guess. */
 static bool fill_basis(fmb_general *g)
 {
     const fmb_general_system *s = &g->program;

@@ -83,8 +83,8 @@ static void bound_rest(const fmb_general_system *s, const double *z, double *res
         rest[i] = fabs(rest[i]) + (s->columns + 8) * DBL_EPSILON * size[i] + UNDERFLOW;
 }
 
-/* e_i: each E_ij is a sum of dim products and of 1 (or 0), so off by at most (dim + 3) u times
- * their absolute values; over all j, with the sums of dim^2 numbers, by less than what is added. */
+/* e_i. Each E_ij, a sum of dim products and 1 or 0, errs by at most (dim + 3) u times their
+ * absolute values; what is added covers this for all j, and the rounding of the bound itself. */
 static double bound_defect(const fmb_general_system *s, int i)
 {
     double defect[FMB_GENERAL_MOST_ROWS] = {0}, size = 1, sum = 0;

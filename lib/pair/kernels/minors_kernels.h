@@ -43,18 +43,18 @@ static inline void fmb_minors_split_units(double both, int *axes, int *origin)
     *origin = (int)(both - 8192.0 * *axes);
 }
 
-/* Numbers of the room for the minors of two views that the next level wants. With n columns and
- * levels up to K (minors_kernel.h), still, moving or of simplices, a view's are the sum over
- * 1 < k <= K of choose(rows, k) choose(n, k), of simplices with words for their signs and one lane
- * more. Of one of each a single view needs room. */
+/* Numbers in the memory for the minors, of two views, that a next level needs. With n columns and
+ * levels up to K (minors_kernel.h) a view has the sum over 1 < k <= K of choose(rows, k) choose(n,
+ * k); simplices also have words for their signs and one lane more for each set of rows. Of a cuboid
+ * and a simplex only one view needs memory. */
 static inline size_t fmb_minors_room(int dim)
 {
     static const size_t lanes[FMB_MINORS_DIMS] = {170, 1120, 2828, 2548, 3920};
     return 2 * FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
 }
 
-/* The kind of pairs in records: 2 for simplices, 4 for one of each, the cuboid first; plus 1 if
- * anything moves. */
+/* The kind of pairs in records: 2 for simplices, 4 for a cuboid and a simplex, the cuboid first;
+ * plus 1 if anything moves. */
 typedef enum fmb_minors_what {
     FMB_MINORS_STILL,
     FMB_MINORS_MOVING,

@@ -88,8 +88,8 @@ static bool begin_normal(decider *d)
     return words > 0;
 }
 
-/* The vectors of a face, from place *at on. False: they are dependent; *put are those that went in,
- * that one too. */
+/* Put the vectors of a face, from place *at on. *put: those put. False: the last of them depends on
+ * the others. */
 static bool put_face(decider *d, int k, unsigned face, int *at, unsigned *put)
 {
     const bool simplex = d->pair.body[k].simplex;

@@ -6,9 +6,7 @@
  *
  *     w + sum s_i x_i v_i = 0,   s_i = 1 for vectors of B, -1 for those of A.
  *
- * Any such x_i in 0 ... 1, for a simplex with a sum of at most 1, prove that A and B meet, whatever
- * n, a and b are.
- *
+ * Such x_i in 0 ... 1, for a simplex of sum at most 1, prove that A and B meet, for any n, a, b.
  * 1. Doubles find n, the corners, and x by a left inverse Y of the matrix V of the vectors. If n is
  *    perpendicular to more vectors, there are more x_i than equations: the others are set to 0 or
  *    1, and a vector whose x_i is not in 0 ... 1 is exchanged with one of them (the dual simplex
@@ -112,8 +110,8 @@ static double multiply(int dim, const double *a, const double *b)
     return sum;
 }
 
-/* The extent of a cuboid along n. Edges outside the face that are perpendicular to n are listed,
- * too. */
+/* The extent of a cuboid along n. Edges outside the face but perpendicular to n are listed, too.
+ */
 static void find_span_of_cuboid(touching *m, int k, unsigned face, double size, whole_span *out)
 {
     const whole_body *b = &m->p->body[k];
@@ -146,8 +144,8 @@ static void find_span_of_simplex(const touching *m, int k, double *at, whole_spa
     out->high = at[out->highest];
 }
 
-/* The corner of a simplex at which the vectors start. Corners outside the face that are as far
- * along n are listed, too. False: the face is not at that end. */
+/* The corner where a simplex's vectors start. Corners outside the face but as far along n are
+ * listed, too. False: the face is not at that end. */
 static bool find_base(touching *m, int k, unsigned face, double size, const double *at, int *corner)
 {
     const whole_body *b = &m->p->body[k];
@@ -234,8 +232,8 @@ static int find_of_body(const touching *m, int k)
     return best;
 }
 
-/* The vectors of simplex k start at the end of vector i instead; vector i now leads to the former
- * start. Its row of Y, perpendicular to the other new vectors, is minus the sum of all rows of the
+/* The vectors of simplex k start at the end of vector i instead, and vector i leads to the old
+ * start. Its row of Y, perpendicular to the other vectors, is minus the sum of all rows of the
  * simplex. */
 static void change_base(touching *m, int k, int i)
 {

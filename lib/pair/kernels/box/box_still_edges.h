@@ -24,7 +24,7 @@ typedef struct still_direction {
 /* The intervals of parameters of edges in one direction. */
 typedef struct still_slabs {
     lane r[BOX_VALUES], room[BOX_VALUES], margin[BOX_VALUES];
-    lane_mask falls[BOX_VALUES]; /* d_i < 0; of a cuboid not looked at, of a simplex room is not */
+    lane_mask falls[BOX_VALUES]; /* d_i < 0; unused for a cuboid, as room is for a simplex */
 } still_slabs;
 
 typedef struct still_part {
@@ -76,7 +76,7 @@ FMB_BOX_INLINE void still_slabs_of(const box_kind *k, int host, const still_view
     }
 }
 
-/* Value i of the host cuts off what is below or above. */
+/* Clip the parameters of an edge by value i of the host. */
 FMB_BOX_INLINE void still_cut_segment(const box_kind *k, int host, const still_slabs *b, int i,
                                       lane y, still_part *p)
 {

@@ -22,7 +22,7 @@
 
 #include "pair/kernels/box/box_still_edges.h"
 
-/* 1 over what is allowed: of gap |edge| in the world; of gap |d_j| for edges of A. */
+/* Reciprocals of what is allowed: of gap |edge| in the world, of gap |d_j| for edges of A. */
 typedef struct still_limits {
     lane world, guest;
 } still_limits;

@@ -29,7 +29,7 @@ typedef struct still_view {
     lane_mask known; /* the sign of the determinant is certain */
 } still_view;
 
-/* The adjugate, and W, of the error of it and of sums. */
+/* The adjugate n, and W, which bounds its errors and those of sums (docs/error-bounds.md). */
 FMB_BOX_INLINE void still_adjugate(const box_kind *k, const lane a[3][3], lane n[3][3],
                                    lane rough[3][3])
 {

@@ -102,8 +102,8 @@ FMB_INLINE void contact_compare(int dim, lane overlap, lane square, lane size, c
         x->normal[j] = lane_pick(less, lane_times_sign(n[j], side), x->normal[j]);
 }
 
-/* Are the overlaps of all lanes that are to be proved? `most` is the depth less what it may be off
- * by; 2^-50 covers the rounding of what stands here. */
+/* The lanes where the overlaps along all normals prove that no depth is below `most`, the depth
+ * less its allowed error; 2^-50 covers the rounding in this test. */
 FMB_INLINE lane_mask contact_prove(const contact_rows *x, int normals, double error, double off,
                                    lane reach, lane depth, lane most)
 {
@@ -148,7 +148,7 @@ FMB_INLINE void fmb_contact_pass(int dim, bool cuboids, const fmb_flat_kind *k, 
                                : contact_of_any(dim, k, &p, n, &side);
         contact_compare(dim, overlap, square, size, n, side, &least);
         lane_mask noise = lane_less(square, lane_of(0x1p-96) * size * size);
-        if (lane_bits(noise)) { /* which is no candidate; and what is no normal is no obstacle */
+        if (lane_bits(noise)) { /* a normal that is exactly 0 does not count in the proof */
             noise = contact_is_null(dim, k, &p, i);
             overlap = lane_pick(noise, lane_of(8) * size * p.reach, overlap);
             square = lane_pick(noise, size * size, square);

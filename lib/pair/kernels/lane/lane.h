@@ -15,8 +15,8 @@
 
 #define FMB_INLINE static inline __attribute__((always_inline, unused))
 
-/* Functions of boxes; and before a loop over a few values that stands in constants: nothing of it
- * is left. A kernel of boxes in one piece takes clang minutes (gcc seconds), so it may choose. */
+/* FMB_BOX_INLINE: before functions of boxes. FMB_UNROLL: before a short loop with constant bounds,
+ * which unrolling removes. A kernel of boxes as one function takes clang minutes (gcc seconds). */
 #ifdef __clang__
 #define FMB_BOX_INLINE static inline __attribute__((unused))
 #define FMB_UNROLL

@@ -34,7 +34,7 @@
 #include "pair/kernels/minors/minors_whole.h"
 #include "pair/kernels/open_rows.h"
 
-/* The gap of a face of the frame whose coordinates are used; and sizes of entries. */
+/* The gap of a face of the frame whose coordinates are used; sets the sizes of entries. */
 FMB_INLINE lane minors_face(minors_kind d, minors_view *v, int r)
 {
     lane reach = v->unit, away = v->center[r], most = lane_of(1);
@@ -64,8 +64,8 @@ FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
         minors_hear(said, minors_face(d, v, r), error * v->g[r]);
 }
 
-/* The absolute value of a minor that was made, and of one of the level before: that of an entry is
- * there already. */
+/* The absolute value of a minor of this level, and of one of the level before; those of entries are
+ * stored. */
 FMB_INLINE lane minors_size(minors_part part, const lane *made, int s)
 {
     return part == MINORS_KEPT ? lane_abs(made[s]) : made[s];
@@ -163,7 +163,7 @@ FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part p
 
 /* ---- two records ----------------------------------------------------------------------------- */
 
-/* The frame b seen from a; apart from one another as `shift` and `drift` say. */
+/* Frame b in coordinates of a; `shift` and `drift`: differences of their origins and speeds. */
 FMB_INLINE void minors_look(minors_kind d, const lane *a, const lane *b, const lane *shift,
                             const lane *drift, lane most, lane *room, minors_view *v)
 {
@@ -220,7 +220,7 @@ FMB_INLINE minors_part minors_part_of(minors_kind d, int side, int k)
                                     : MINORS_LAST;
 }
 
-/* The last level of one of each, seen from the simplex, and what of a level is wanted. */
+/* The last level of a cuboid seen from a simplex, and the part of level k that is needed. */
 FMB_INLINE int minors_last_from_simplex(minors_kind d)
 {
     return d.dim - 2 + d.moves;
@@ -230,7 +230,7 @@ FMB_INLINE minors_part minors_part_from_simplex(minors_kind d, int k)
     return k < minors_last_from_simplex(d) ? MINORS_KEPT : d.moves ? MINORS_DRIFTED : MINORS_LAST;
 }
 
-/* All rows but faces of one of each, seen from the simplex: minors_mixed.h. */
+/* All rows except faces of a cuboid seen from a simplex: minors_mixed.h. */
 FMB_INLINE void minors_levels_from_simplex(minors_kind d, minors_view *v, minors_said *said)
 {
 #pragma GCC unroll 4
@@ -239,7 +239,7 @@ FMB_INLINE void minors_levels_from_simplex(minors_kind d, minors_view *v, minors
             return;
 }
 
-/* All rows but faces. What both sides want is compiled once, where that is no loss: see
+/* All rows except faces. Levels that both sides need are compiled once, where that is no loss: see
  * minors_level. */
 FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said)
 {
@@ -260,22 +260,22 @@ FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said
 
 /* The kinds of questions. */
 typedef enum minors_how {
-    MINORS_AT_0, /* what rows say; of moving simplices as at t = 0 */
+    MINORS_AT_0, /* rows; of moving simplices those at t = 0 */
     MINORS_AT_1,
-    MINORS_WHOLE, /* the same of lanes that are whole numbers, else nothing */
+    MINORS_WHOLE, /* likewise, only lanes of integers */
     MINORS_POINT, /* is there a point in both? */
     MINORS_OPEN   /* which rows are open? */
 } minors_how;
 typedef void minors_lister(int dim, int what, minors_view v[2], fmb_open_rows *out);
 typedef struct minors_asked {
     minors_how how;
-    unsigned lanes; /* those that matter, of a point */
+    unsigned lanes; /* for MINORS_POINT: lanes to decide */
     minors_lister *list;
-    fmb_open_rows *rows; /* what rows are open goes there, by that */
+    fmb_open_rows *rows; /* receives the open rows, from `list` */
 } minors_asked;
 
-/* One of two from a side, in a room of its own. What faces say. Of one of each the view from the
- * simplex alone goes on from there, and has all the room. */
+/* The view of frame `to` from `from`, with memory for its minors, and the tests of faces. For a
+ * cuboid and a simplex only the view from the simplex needs memory, and has all of it. */
 FMB_INLINE void minors_see(minors_kind d, minors_how how, const lane *from, const lane *to,
                            lane *room, minors_view *v, minors_said *said)
 {
@@ -304,15 +304,15 @@ FMB_INLINE void minors_see(minors_kind d, minors_how how, const lane *from, cons
         minors_faces(d, v, said);
 }
 
-/* Nothing more is to be asked of these lanes: all are apart, or none is known. */
+/* Are further tests of these lanes useless: all are apart, or none is known? */
 FMB_INLINE bool minors_is_over(minors_kind d, minors_how how, const minors_said *said)
 {
     return minors_all_apart(said) ||
            (!d.simplices && how == MINORS_WHOLE && !lane_bits(said->known));
 }
 
-/* Lanes of records a and b; room as in minors_kernels.h. Lanes that a point proves to meet, if that
- * is asked. */
+/* Decide lanes of records a and b; room as in minors_kernels.h. For MINORS_POINT: returns the lanes
+ * that a common point proves to meet. */
 FMB_INLINE unsigned minors_ask(minors_kind d, const minors_asked *x, const lane *a, const lane *b,
                                double *room, minors_said *out)
 {

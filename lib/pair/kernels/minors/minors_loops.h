@@ -13,7 +13,7 @@ minors_lister FMB_MINORS_LIST;
 /* Numbers of the largest record, rounded up. */
 enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
 
-/* Instantiates each kernel once. For one of each, the record of the cuboid comes first. */
+/* Instantiates each kernel once. For a cuboid and a simplex, the cuboid's record is first. */
 #define MINORS_ASK(dim, what)                                                                      \
     static FMB_NEVER_CLONED unsigned minors_ask_##dim##what(                                       \
         const minors_asked *x, const lane *a, const lane *b, double *room, minors_said *said)      \

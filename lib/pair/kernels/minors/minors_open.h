@@ -67,7 +67,7 @@ FMB_INLINE void minors_list_make(minors_kind d, const minors_view *v, int k,
     }
 }
 
-/* The gap of columns s: what minors_gap says; and how large what is taken from it was. */
+/* The gap of columns s, as minors_gap computes it; *size is the sum that was subtracted. */
 FMB_INLINE lane minors_list_gap(minors_kind d, const minors_view *v, int k, const minors_rows *rows,
                                 const lane *made, int s, lane *size)
 {
@@ -91,8 +91,8 @@ FMB_INLINE lane minors_list_gap(minors_kind d, const minors_view *v, int k, cons
     return lane_abs(away) - reach;
 }
 
-/* What the test of these rows and columns s says of the i-th of the rows, or, less one sign, of
- * column i - k - 1: where the two are apart nothing of all that has another sign (minors_signs.h).
+/* The sign, in the test of these rows and columns s, of the i-th row, or, negated, of column i - k
+ * - 1: if the frames are apart along this row, no two of these signs are opposite (minors_signs.h).
  */
 FMB_INLINE lane minors_list_sign(minors_kind d, const minors_view *v, int k,
                                  const minors_rows *rows, int s, int i)
@@ -202,8 +202,8 @@ FMB_INLINE void minors_list_corners(minors_kind d, int side, minors_view *v, fmb
     }
 }
 
-/* All rows of two cuboids, or of one of each; or of each lane that is wanted one, whose numbers are
- * much larger than its error, also of two simplices. */
+/* List all open rows of two cuboids, or of a cuboid and a simplex; or, also for two simplices, one
+ * row of each wanted lane, whose numbers are much larger than its error. */
 void FMB_MINORS_LIST(int dim, int what, minors_view v[2], fmb_open_rows *out)
 {
     for (int k = 0; k < dim && out->wanted; k++)

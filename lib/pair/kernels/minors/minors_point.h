@@ -84,7 +84,7 @@ FMB_INLINE void minors_sweep(minors_kind d, const minors_view *v, minors_point *
     }
 }
 
-/* Is the point in A's interior? z is computed anew: what it was off by before does not count. */
+/* Is the point in A's interior? z is computed anew, so that earlier errors do not add up. */
 FMB_INLINE unsigned minors_check_point(minors_kind d, const minors_view *v, const minors_point *p)
 {
     const double n = minors_count_generators(d);
@@ -103,8 +103,8 @@ FMB_INLINE unsigned minors_check_point(minors_kind d, const minors_view *v, cons
     return minors_bits(&inside).meet;
 }
 
-/* Lanes where a point proves that they meet; wanted: those that are asked. Few pairs get here: not
- * in the kernels, and once for all dimensions. */
+/* The lanes of `wanted` where a point proves that the frames meet. Few pairs get here: so this is
+ * not inlined into the kernels, and compiled once for all dimensions. */
 static FMB_NEVER_CLONED unsigned minors_find_point(minors_kind d, const minors_view *v,
                                                    unsigned wanted)
 {

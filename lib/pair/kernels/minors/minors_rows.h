@@ -52,9 +52,9 @@ FMB_INLINE int minors_with(int k, int s, int j)
                     : FMB_MINORS_WITH_4[s][j];
 }
 
-/* The k + 1 rows of a set, where their minors of the level before are, and the bound on them: the
- * product of their bounds, or seen from a simplex that of the bound of one and the sizes of the
- * others. */
+/* The k + 1 rows of a set R, less[i]: the minors of the level before in R without the i-th row, and
+ * the bound g of the minors in R: the product of the bounds of the rows, or for a view from a
+ * simplex the largest product of the bound of one row and the sizes of the others. */
 typedef struct minors_rows {
     int row[5];
     const lane *less[5];
@@ -82,8 +82,8 @@ FMB_INLINE void minors_find_rows(minors_kind d, const minors_view *v, int k, uns
 
 /* Which part of a level is needed. */
 typedef enum minors_part {
-    MINORS_KEPT,   /* all of it, and its minors for the next level */
-    MINORS_LAST,   /* all of it */
+    MINORS_KEPT,   /* all rows; their minors are kept for the next level */
+    MINORS_LAST,   /* all rows */
     MINORS_DRIFTED /* the rows with the drift, the last column */
 } minors_part;
 

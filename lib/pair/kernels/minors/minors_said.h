@@ -25,9 +25,9 @@ FMB_INLINE void minors_hear(minors_said *said, lane gap, lane error)
     said->meet = lane_max(said->meet, gap + error);
 }
 
-/* Of some numbers the least absolute value, which has that error at most: their signs are certain
- * where what is returned is negative. Where all had the signs that these should have, `passed` is
- * negative if their own signs mean apart, and `doubt` if those are certain. */
+/* Add a test of numbers with the least absolute value `least` and that error bound. passed < 0: all
+ * signs are right for "apart"; doubt < 0: those of the minors in it are certain. Returns error -
+ * least: negative iff all signs of the numbers are certain. */
 FMB_INLINE lane minors_hear_signs(minors_said *said, lane least, lane passed, lane error,
                                   lane doubt)
 {

@@ -43,8 +43,7 @@
 /* Signs of minors as bits of words; sets of columns are appended in order. */
 typedef struct minors_signs {
     lane word[4];
-    int last[4]; /* the place, in each word, of what was put there last: now it is the highest bit
-                  */
+    int last[4]; /* place, in each word, of the set appended last: now the highest bit */
     lane least;  /* absolute value */
 } minors_signs;
 
@@ -53,7 +52,8 @@ FMB_INLINE minors_signs minors_no_signs(void)
     return (minors_signs){{lane_of(0), lane_of(0), lane_of(0), lane_of(0)}, {0}, lane_of(INFINITY)};
 }
 
-/* The set of those in `less`, all below j, and j: which word that is j tells alone, up to 6. */
+/* Append the sign of the set `less` and j, all of `less` below j. Up to j = 6 the word depends on j
+ * only. */
 FMB_INLINE void minors_put_sign(minors_signs *x, unsigned less, int j, lane minor)
 {
     const unsigned with = 1U << j, set = less | with, w = (j > 6 ? set : with) / 64;
@@ -64,7 +64,7 @@ FMB_INLINE void minors_put_sign(minors_signs *x, unsigned less, int j, lane mino
     x->least = lane_min_abs(x->least, minor);
 }
 
-/* Each sign to its place, in words behind minors. */
+/* Shift each sign to its place, and store the words behind the minors. */
 FMB_INLINE void minors_end_signs(minors_kind d, minors_signs *x, lane *to)
 {
     for (int w = 0; w < minors_words(d); w++)
@@ -76,8 +76,8 @@ FMB_INLINE unsigned minors_set(int k, int s)
     return k == 1 ? FMB_MINORS_SET_1[s] : k == 2 ? FMB_MINORS_SET_2[s] : FMB_MINORS_SET_3[s];
 }
 
-/* The minors of these rows, kept or not, and their signs; where sets with the drift are asked alone
- * they are made alone. */
+/* The minors of these rows, kept or not, and their signs; for MINORS_DRIFTED only those of sets
+ * with the drift. */
 FMB_INLINE void minors_make_signs(minors_kind d, const minors_view *v, int k, minors_part part,
                                   const minors_rows *rows, lane *to, minors_signs *signs)
 {
@@ -97,8 +97,8 @@ FMB_INLINE void minors_make_signs(minors_kind d, const minors_view *v, int k, mi
     }
 }
 
-/* Word w of the tests of k columns that have a wrong sign. A shift brings the sign of S with j to
- * S. */
+/* Word w of the tests of k columns: a set bit means that the test of this set S has a wrong sign. A
+ * shift moves the sign of S + j to the place of S. */
 FMB_INLINE lane minors_wrong(minors_kind d, int k, const minors_rows *rows,
                              const minors_signs *signs, int w)
 {
@@ -180,8 +180,8 @@ FMB_INLINE void minors_corners(minors_kind d, minors_view *v, minors_said *said)
     }
 }
 
-/* The corners of b, and its drift, in barycentric coordinates of a, those of a's origin last, as 1
- * (of the drift 0) less the others. */
+/* The corners of b, and its drift, in barycentric coordinates of a; the last coordinate, of a's
+ * origin, is 1 (for the drift 0) less the others. */
 FMB_INLINE void minors_look_at_corners(minors_kind d, const lane *a, const lane *b,
                                        const lane *shift, const lane *drift, lane most, lane *room,
                                        minors_view *v)

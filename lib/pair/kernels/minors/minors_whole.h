@@ -24,8 +24,8 @@ FMB_INLINE lane minors_nearest(lane x)
     return (x + high) - high;
 }
 
-/* What is seen becomes whole, where that is certain; `from` and `to`: what records have behind
- * their sizes. Few pairs get here: not in the kernels, and once for all dimensions. */
+/* Round a view to integers; returns the lanes where it is exact then. `from`, `to`: records from
+ * their sizes on. Few pairs get here: not inlined, and compiled once for all dimensions. */
 static FMB_NEVER_CLONED lane_mask minors_round(minors_kind d, const lane *from, const lane *to,
                                                minors_view *v)
 {
