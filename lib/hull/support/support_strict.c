@@ -1,6 +1,6 @@
 /* support_strict.c: which faces a projection with strict rows lacks; see support.h.
  *
- * The missing points are a union of faces (docs/theory.md, theorem 25): so it suffices to query
+ * The missing points are a union of faces (docs/theory.md, theorem 26): so it suffices to query
  * faces all of whose generators are missing, by the sum h of the normals of the facets around each.
  * A face is missing if and only if the optimum of h is not attained: then h < optimum is a row.
  * Faces of missing facets, or of other missing faces, need no row of their own.

@@ -11,7 +11,7 @@
  *
  * all of integers without a common divisor, in the order of fmb_sysrow_compare.
  *
- * Equal sets have equal rows, and the rows describe P: docs/theory.md, theorem 26.
+ * Equal sets have equal rows, and the rows describe P: docs/theory.md, theorem 27.
  */
 #include "solve/project/canonical.h"
 

@@ -286,7 +286,7 @@ static fmb_status sum_facets_of_face(const face_search *f, const excluded_face *
     return fmb_integers_reduce(z, f->n + 1, content, &poll);
 }
 
-/* The multipliers in the proof of theorem 26, over the content. */
+/* The multipliers in the proof of theorem 27, over the content. */
 static fmb_status prove_sum(const face_search *f, const excluded_face *face, const mpz_t content,
                             fmb_weights *w)
 {

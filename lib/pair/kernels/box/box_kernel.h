@@ -4,7 +4,7 @@
  * on an edge of B: all edges of each frame are clipped against the other. In space and time it
  * lies on an edge of A or B at t = 0 or t = 1, or on the path of a corner of A or B, or it is where
  * an edge of A meets an edge of B on its way (three dimensions). Proof: docs/theory.md,
- * theorem 36.
+ * theorem 37.
  *
  * Ends in the world: a point has at most 10 roundings, each of a number at most
  *

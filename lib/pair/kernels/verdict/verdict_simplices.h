@@ -1,5 +1,5 @@
 /* verdict_simplices.h: does a simplex meet a cuboid or a simplex, in the plane or in space? See
- * docs/theory.md, theorem 33. */
+ * docs/theory.md, theorem 34. */
 #ifndef FMB_PAIR_VERDICT_SIMPLICES_H
 #define FMB_PAIR_VERDICT_SIMPLICES_H
 
@@ -31,7 +31,7 @@
  * 5. If B moves, the half-width grows by |u drift|, a coordinate of edge x drift; and time is
  *    eliminated likewise: u = e_r x drift, with drift for d, and the drift with each edge of A.
  *
- * Completeness: docs/theory.md, theorem 34. If B is flat, a row that vanishes has the gap 0, so the
+ * Completeness: docs/theory.md, theorem 35. If B is flat, a row that vanishes has the gap 0, so the
  * verdict is not "meet"; where A is a simplex, rows are one-sided, and the sign of det B must be
  * certain.
  *
