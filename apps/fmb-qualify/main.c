@@ -60,11 +60,10 @@ static int run_bunny_study(int argc, char **argv)
 }
 
 static const app_command commands[] = {
-    {"all", "fmb-qualify all", "all of them in one report: what is done without a STUDY",
-     qualify_all},
+    {"all", "fmb-qualify all", "all studies in one report, the default", qualify_all},
     {"table1", "fmb-qualify table1", "verdicts by FMB and by SAT: the article's 24 cells",
      run_table1},
-    {"article", "fmb-qualify article", "the same as published, as its program does it, and ours",
+    {"article", "fmb-qualify article", "table1 as published, by its program's method, and by ours",
      run_article_study},
     {"near", "fmb-qualify near", "table1 on pairs whose axis-aligned boxes meet", run_near},
     {"touching", "fmb-qualify touching", "table1 on pairs that touch, or nearly do", run_touching},
@@ -93,7 +92,7 @@ static const app_command commands[] = {
 static const char doc[] =
     "Measure the library on random frames and on files, with seeds and against exact answers."
     "\v"
-    "`fmb-qualify STUDY --help` tells the options of a study.\n"
+    "`fmb-qualify STUDY --help` lists the options of a study.\n"
     "\n"
     "Exit codes: 0 done, 1 a wrong answer was found, 2 interrupted, 64 usage, 65 bad input, 66 "
     "cannot open, 70 internal error, 74 cannot write.\n"

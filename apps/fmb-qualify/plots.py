@@ -154,7 +154,7 @@ def growth(runs, _, axes):
         axes.plot(*zip(*theory), color="#000000", linewidth=0.8, marker="+", label="$4(m/4)^{2^k}$")
     axes.set(yscale="log", xlabel="variables eliminated, k", ylabel="most rows at once")
     axes.xaxis.set_major_locator(plotting.ticker.MaxNLocator(integer=True, nbins=9))
-    return ("Growth: the most rows at once against the number of variables that go, medians over at least five problems. Triangles: "
+    return ("Growth: the most rows at once against the number of eliminated variables, medians over at least five problems. Triangles: "
             "half of the runs or more were stopped, and the median is a lower bound. The thin line is the worst that elimination "
             "can do to the median number m of rows.")
 

@@ -25,7 +25,7 @@ static const struct argp_option report_options[] = {
     {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2},
     {"proof", KEY_PROOF, "OUT", 0,
      "Write the evidence to OUT, for `fmb check`; - prints it instead of the report", 2},
-    {"relax", KEY_RELAX, NULL, 0, "Take integer variables for reals", 2},
+    {"relax", KEY_RELAX, NULL, 0, "Treat integer variables as real ones", 2},
     {"trace", KEY_TRACE, "OUT", 0, "Write what the solver does to OUT, one JSON object a line", 2},
     {"rule-library", KEY_LIBRARY, "FILE", 0,
      "A shared object with pruning rules and orders: --rules and --order know them, too", 3},
@@ -227,7 +227,7 @@ int app_ask_exact_rows(const app_ask *ask)
     if (ask->digits == 0 || ask->json)
         return APP_YES;
     return app_error(APP_USAGE, "--decimal: rows that programs read are written exactly; --json "
-                                "tells both");
+                                "has both");
 }
 
 bool app_ask_proof_only(const app_ask *ask)

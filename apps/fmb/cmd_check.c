@@ -41,18 +41,18 @@ typedef struct request {
 } request;
 
 static const struct argp_option options[] = {
-    {"list", KEY_LIST, NULL, 0, "Tell of every claim", 2},
+    {"list", KEY_LIST, NULL, 0, "List every claim", 2},
     {"expect", KEY_EXPECT, "WHAT", 0,
      "Demand more: feasible, infeasible, bounds (both ends of every variable), reduced (each row "
-     "goes, stays, or is an equality), projection=OUT (each row of the system in OUT follows), "
-     "whole=OUT (and no row is missing there), "
+     "is redundant, irredundant, or an equality), projection=OUT (each row of the system in OUT "
+     "is implied), whole=OUT (and no row is missing there), "
      "optimum (of the objective of FILE), max=FORM or min=FORM (of this one)",
      2},
     {"relax", KEY_RELAX, NULL, 0, "All variables are real, whatever the files say", 2},
     {"max-seconds", KEY_SECONDS, "SECONDS", 0,
      "Stop reading and judging the proof after that time (default 0: no limit)", 2},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
-     "Stop when the system, the proof and what it is judged with need more (default 0: no limit)",
+     "Limit on the system, the proof and the memory of the checker, in all (default 0: no limit)",
      2},
     {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2},
     {0}};
@@ -156,9 +156,8 @@ static const char doc[] =
     "solver, and say what they are."
     "\v"
     "Exit codes: 0 accepted, 1 rejected, or not all that is expected, 2 a limit or Ctrl-C came\n"
-    "first. Where FILE has integer variables, \"over the reals\" says that not all that is "
-    "claimed\n"
-    "holds for integers.\n"
+    "first. Where FILE has integer variables, \"over the reals\" says that some claims\n"
+    "need not hold for integers.\n"
     "\n"
     "Examples:\n"
     "  fmb solve plan.smt2 --proof plan.proof; fmb check plan.smt2 plan.proof\n"

@@ -18,7 +18,7 @@ int cmd_image(int argc, char **argv)
             "V-representation (.ext). MAP has a line NAME = FORM for each coordinate of the image, "
             "with forms over the variables of FILE. Strict rows stay strict."
             "\v"
-            "Exit codes: 0 done, 1 infeasible, 2 undecided: rows that follow, perhaps too few.\n"
+            "Exit codes: 0 done, 1 infeasible, 2 undecided: implied rows, perhaps not all.\n"
             "\n"
             "Examples:\n"
             "  printf 'u = x + y\\nv = x - 2y + 1\\n' | fmb image shape.fmb -\n"

@@ -39,25 +39,22 @@ static const struct argp_option options[] = {
     {"distance", KEY_DISTANCE, NULL, 0, "Of pairs that are apart: how far, and the nearest points",
      1},
     {"depth", KEY_DEPTH, NULL, 0,
-     "Of pairs that meet: how deep, that is the shortest way for B out of A", 1},
+     "Of pairs that meet: the length of the shortest translation of B out of A", 1},
     {"within", KEY_WITHIN, "LENGTH", 0,
-     "Is the distance at most that? 0 of the exit code: it is, "
-     "of some pair",
-     1},
+     "Is the distance at most LENGTH? Exit code 0: of some pair it is", 1},
     {"norm", KEY_NORM, "euclidean|max", 0,
      "How lengths are measured; max: by the largest coordinate (default euclidean)", 1},
     {"separate", KEY_SEPARATE, NULL, 0,
-     "Of pairs that are apart: a row that A satisfies and B does not, or only just", 1},
-    {"common", KEY_COMMON, NULL, 0, "Of pairs that meet: the vertices of what they have in common",
-     1},
+     "Of pairs that are apart: a row that A satisfies, and B at most with equality", 1},
+    {"common", KEY_COMMON, NULL, 0, "Of pairs that meet: the vertices of their intersection", 1},
     {"nearest", KEY_NEAREST, NULL, 0,
      "A number means the double nearest to it; without this, 0.1 is 1/10", 1},
     {"threads", KEY_THREADS, "N", 0,
-     "Threads, at most 64; answers and their order are the same for any number (default 1)", 1},
+     "Threads, at most 64; answers and their order do not depend on it (default 1)", 1},
     {"max-seconds", KEY_SECONDS, "SECONDS", 0,
-     "Limit of a verdict, and of a box; 0 is none (default 0)", 1},
+     "Time limit of a verdict, and of a box; 0 is none (default 0)", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
-     "Limit of memory of a verdict, of a box, and of the system that they are about; 0 is none "
+     "Limit of memory of a verdict, of a box, and of their system of rows; 0 is none "
      "(default half of the memory)",
      1},
     {"max-input", KEY_MAX_INPUT, "BYTES", 0, "Refuse a line that is longer (default 1073741824)",
@@ -164,13 +161,11 @@ static const char doc[] =
     "or "
     "pairs in binary (fmb convert --to pairs). "
     "For a pair that meets, prints the tightest intervals of the common points (x), of their "
-    "coordinates in B (c), and of the times of contact (t) if something moves; behind them a "
-    "common "
-    "point."
+    "coordinates in B (c), and of the times of contact (t) if something moves; then a "
+    "common point."
     "\v"
-    "Exit codes: 0 some pair meets, 1 none does, 2 interrupted, or undecided in some pair. A line "
-    "that is no "
-    "pair ends the command with 65; what was found of the lines before it is printed.\n"
+    "Exit codes: 0 some pair meets, 1 none does, 2 interrupted, or some pair is undecided. A line "
+    "that is no pair ends the command with 65; the answers of the lines before it are printed.\n"
     "\n"
     "Examples:\n"
     "  fmb intersect rooms.jsonl\n"

@@ -41,36 +41,37 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {"move", KEY_MOVE, "X,Y,Z", 0, "Move B (A, if it is alone) by so much, after --scale", 1},
-    {"scale", KEY_SCALE, "S[,T,U]", 0, "Scale its coordinates, all alike or each by its own", 1},
-    {"mirror", KEY_MIRROR, "x|y|z", 0, "Turn the sign of that coordinate", 1},
+    {"move", KEY_MOVE, "X,Y,Z", 0, "Translate B (A, if it is alone), after --scale", 1},
+    {"scale", KEY_SCALE, "S[,T,U]", 0, "Scale its coordinates, by one factor or three", 1},
+    {"mirror", KEY_MIRROR, "x|y|z", 0, "Negate this coordinate", 1},
     {"motion", KEY_MOTION, "X,Y,Z", 0,
-     "B moves by so much while t goes from 0 to 1: which cells meet at some time?", 1},
+     "B moves by this vector while t goes from 0 to 1: which cells meet at some time?", 1},
     {"neighbours", KEY_NEIGHBOURS, NULL, 0,
-     "List cells, too, that meet in what their common vertices span and nowhere else", 1},
+     "List cells, too, that meet only in their common vertices and what these span", 1},
     {"where", KEY_WHERE, NULL, 0,
      "With the box of the common points of each pair, and when they meet if B moves: each end "
      "rounded outward",
      1},
     {"common", KEY_COMMON, NULL, 0,
-     "With the vertices of all that each pair has in common, a point, segment, polygon or "
-     "polyhedron, exactly; with the time behind x, y, z if B moves",
+     "With the vertices of the intersection of each pair, a point, segment, polygon or "
+     "polyhedron, exactly; as x, y, z, t if B moves",
      1},
     {"within", KEY_WITHIN, "LENGTH", 0,
-     "List cells, too, that are no farther apart than that, a decimal or p/q, exactly", 1},
+     "List cells, too, that are at most LENGTH apart, a decimal or p/q, exactly", 1},
     {"distance", KEY_DISTANCE, NULL, 0,
      "How far A and B are apart, instead: the nearest cells, their nearest points, and a row that "
      "separates these cells",
      1},
-    {"marked", KEY_MARKED, "FILE", 0,
-     "Write both meshes as PLY with colours: cells that are listed are red", 1},
+    {"marked", KEY_MARKED, "FILE", 0, "Write both meshes as PLY with colours: listed cells are red",
+     1},
     {"all-pairs", KEY_ALL_PAIRS, NULL, 0,
-     "Ask every pair of cells, without trees of boxes: slow, and for checking; under mpirun shared "
-     "among its processes",
+     "Test every pair of cells, without trees of boxes: slow, for checking; shared among the "
+     "processes of mpirun",
      1},
     {"format", KEY_FORMAT, "auto|off|obj|ply|stl|mesh", 0,
-     "What the files are (default: by name, else by content)", 1},
-    {"max-seconds", KEY_SECONDS, "SECONDS", 0, "Limit of the search for what meets; 0 is none", 1},
+     "Format of the files (default: by name, else by content)", 1},
+    {"max-seconds", KEY_SECONDS, "SECONDS", 0,
+     "Time limit of the search for cells that meet; 0 is none", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
      "Limit of memory of the search; 0 is none (default half of the memory)", 1},
     {"threads", KEY_THREADS, "N", 0, "Threads, at most 64 (default 1)", 1},
@@ -148,7 +149,7 @@ static error_t check_arguments(const mesh_ask *ask, struct argp_state *state)
                                ask->marked || ask->all_pairs || ask->csv))
         argp_error(state, "--distance: expected no option about a list of cells");
     if (ask->digits > 0 && ask->csv)
-        argp_error(state, "--decimal: --csv is for programs, and exact; --json tells both");
+        argp_error(state, "--decimal: --csv is for programs, and exact; --json has both");
     return 0;
 }
 
@@ -242,12 +243,12 @@ static const char doc[] =
     "A line is: how they meet, the face (from 0) of A, that of B, their common vertices, and their "
     "groups, where a file has such: groups and objects of OBJ, nodes of glTF, objects of 3MF. "
     "cross: "
-    "their interiors meet; coplanar: so they do, in one plane; touch: they meet, but not so; "
-    "share: "
-    "in common vertices and what these span alone; apart: not at all, but --within.\n"
+    "their interiors meet; coplanar: their interiors meet, in one plane; share: they meet only in "
+    "their common vertices and what these span; touch: they meet otherwise; apart: they do not "
+    "meet, but are within --within.\n"
     "\n"
     "Exit codes: 0 some cells are listed, 1 none are, 2 beyond a limit or interrupted; with "
-    "--distance 0 where it is told.\n"
+    "--distance 0 if it is found.\n"
     "\n"
     "Examples:\n"
     "  fmb mesh part.stl\n"

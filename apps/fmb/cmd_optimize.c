@@ -12,9 +12,8 @@
 enum { KEY_MAX = 0x200, KEY_MIN };
 
 static const struct argp_option options[] = {
-    {"max", KEY_MAX, "FORM", 0, "Make this as large as it gets (3x + 2y)", 1},
-    {"min", KEY_MIN, "FORM", 0, "Or this as small; without either, the objective of FILE counts",
-     1},
+    {"max", KEY_MAX, "FORM", 0, "Maximize this linear form (3x + 2y)", 1},
+    {"min", KEY_MIN, "FORM", 0, "Minimize this one; without either, the objective of FILE", 1},
     {0}};
 
 typedef struct request {
@@ -40,9 +39,9 @@ static const app_usage usage = {
     .args = "FILE",
     .doc =
         "The best value of a linear form over the system in FILE, exactly; a point where it is "
-        "reached; and the rows that leave no more, with multipliers by which they add up to just "
-        "that. A value that no solution reaches is told as sup or inf, with the point that "
-        "solutions approach (->)."
+        "reached; and the rows that prove it, with the multipliers of the combination that bounds "
+        "the form by this value. A value that no solution reaches is printed as sup or inf, with "
+        "the point that solutions approach (->)."
         "\v"
         "FORM is written as in .fmb files, with the names of FILE. Exit codes: 0 the value is "
         "known, or the form is unbounded; 1 infeasible; 2 undecided, or known over the reals while "

@@ -15,8 +15,8 @@ static const struct argp_option options[] = {
     {"to", KEY_TO, APP_FORMATS_TO, 0,
      "Write this format (default: that of FILE where it can be written, else fmb)", 1},
     {"classes", KEY_CLASSES, "FILE", OPTION_ARG_OPTIONAL,
-     "Print one row of each class that symmetries take to one another, with the number of its "
-     "rows; symmetries of the projection in FILE, else those of --symmetry",
+     "Print one row of each class of rows that symmetries map to one another, with their "
+     "number; symmetries of the projection in FILE, else those of --symmetry",
      2},
     {0}};
 
@@ -67,11 +67,11 @@ static const app_usage usage = {
            "and --eliminate the file itself must ask for a projection (a "
            "project or eliminate line in .ine, project: in .fmb). The projection of an infeasible "
            "system is the row "
-           "0 <= -1. Symmetries may save work where they are told: --symmetry FILE has lines such "
-           "as x y z <> y z x, permutations of variables that take rows to rows; --classes "
-           "looks for them."
+           "0 <= -1. Given symmetries may save work: --symmetry FILE has lines such as "
+           "x y z <> y z x, permutations of variables that map rows to rows; --classes "
+           "searches for them."
            "\v"
-           "Exit codes: 0 done, 1 infeasible, 2 undecided: rows that follow, perhaps too few.\n"
+           "Exit codes: 0 done, 1 infeasible, 2 undecided: implied rows, perhaps not all.\n"
            "\n"
            "Examples:\n"
            "  fmb project shape.fmb --keep x,y\n"

@@ -30,7 +30,7 @@ static const app_usage usage = {
     .args = "FILE",
     .doc = "An irredundant system with the same solutions as the one in FILE: some of its rows, "
            "with inequalities that always hold with equality written as equalities. Standard error "
-           "tells which rows went, and which rows they follow from."
+           "lists the redundant rows, and the rows that imply each."
            "\v"
            "Exit codes: 0 done, 1 infeasible, 2 undecided (rows not yet tested are kept).\n"
            "\n"
@@ -144,7 +144,7 @@ static int exit_code(const app_session *s, const fmb_fate *fate, const fmb_syste
     if (s->result.stop == FMB_STOP_DONE)
         return APP_YES;
     app_session_note(s, "undecided (%s): %zu rows not tested%s", fmb_stop_text(s->result.stop),
-                     untested(s, fate), small ? "" : "; all rows stay, as they are");
+                     untested(s, fate), small ? "" : "; all rows are kept unchanged");
     return APP_UNDECIDED;
 }
 

@@ -61,7 +61,7 @@ static int open_script(app_session *s, app_source *source, fmb_script **script)
         return app_error(APP_USAGE, "--proof -: each answer of a script has a proof of its own");
     if (s->ask->digits > 0 && !s->ask->json)
         return app_error(APP_USAGE, "--decimal: answers to a script are SMT-LIB, which is exact; "
-                                    "--json tells both");
+                                    "--json has both");
     return s->ask->trace ? app_file_create(s->ask->trace, &s->trace) : APP_YES;
 }
 

@@ -18,7 +18,7 @@ int cmd_sum(int argc, char **argv)
             "or a V-representation (.ext). Variables are matched by their names, coordinates of a "
             "V-representation by their places. Strict rows stay strict."
             "\v"
-            "Exit codes: 0 done, 1 infeasible, 2 undecided: rows that follow, perhaps too few.\n"
+            "Exit codes: 0 done, 1 infeasible, 2 undecided: implied rows, perhaps not all.\n"
             "\n"
             "Examples:\n"
             "  fmb sum room.fmb robot.fmb\n"

@@ -15,7 +15,7 @@ static const app_usage usage = {
            "and "
            "lrslib: a row (1, x) is a vertex, (0, x) a ray, one on the linearity line a line. Rows "
            "with "
-           "< are taken for <=. With --decimal comments before it tell of each in decimals."
+           "< are read as <=. With --decimal, comments before it list each in decimals."
            "\v"
            "Exit codes: 0 done, 1 infeasible, 2 undecided: vertices and rays, perhaps not all.\n"
            "\n"

@@ -8,7 +8,8 @@ static const app_command commands[] = {
     {"bounds", "fmb bounds", "the tightest interval of every variable", cmd_bounds},
     {"optimize", "fmb optimize", "the best value of a linear form", cmd_optimize},
     {"project", "fmb project", "the projection on some variables", cmd_project},
-    {"reduce", "fmb reduce", "the rows that matter; which others go, and why", cmd_reduce},
+    {"reduce", "fmb reduce", "an irredundant system; which rows are redundant, and why",
+     cmd_reduce},
     {"vertices", "fmb vertices", "its vertices, rays and lines", cmd_vertices},
     {"hull", "fmb hull", "the convex hull of polyhedra, or of vertices, rays and lines", cmd_hull},
     {"sum", "fmb sum", "the Minkowski sum of polyhedra", cmd_sum},
@@ -24,7 +25,7 @@ static const char doc[] =
     "Answer questions about systems of linear inequalities, exactly and with proofs."
     "\v"
     "FILE may be - for standard input. Formats: .fmb text, .ine, .ieq, .smt2, .mps, .lp.\n"
-    "`fmb COMMAND --help` tells the options of a command.\n"
+    "`fmb COMMAND --help` lists the options of a command.\n"
     "\n"
     "Exit codes: 0 yes or done, 1 no (infeasible, proof rejected, apart), 2 undecided (a limit was "
     "reached), "

@@ -221,7 +221,7 @@ static void note_idle_rules(const app_session *s)
 {
     const char *rules = s->ask->options.rules;
     if (rules && strcmp(rules, "none") != 0 && s->answered && !s->rules_worked)
-        app_session_note(s, "--rules had no say: no rows were paired");
+        app_session_note(s, "--rules had no effect: no rows were paired");
 }
 
 int app_session_proof_error(const char *path, fmb_status st)

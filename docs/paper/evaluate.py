@@ -326,7 +326,7 @@ def methods(out, runs):
                       edgecolor="white", linewidth=0.4)
         bottom += shares[:, i]
     panels[1].set_xticks(range(len(x)), [f"{k}" if k < 9 else "9+" for k in x])
-    panels[1].set(xlabel="variables that go", ylabel="share where it is the fastest", ylim=(0, 1), yticks=[0, 0.25, 0.5, 0.75, 1])
+    panels[1].set(xlabel="eliminated variables", ylabel="share where it is the fastest", ylim=(0, 1), yticks=[0, 0.25, 0.5, 0.75, 1])
     panels[1].grid(False)
     save(figure, out, "methods")
 

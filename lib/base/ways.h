@@ -18,7 +18,7 @@
 
 /* clang-format off */
 #define FMB_WAYS(WAY)                                                                              \
-    WAY(RECESSION, "recession directions", "solve/prepare/recession",                            \
+    WAY(RECESSION, "recession directions", "solve/prepare/recession",                              \
         "projections: recession directions that leave all rows behind")                            \
     WAY(BOUNDED_GROWTH, "bounded elimination", "",                                                 \
         "projections: variables that make few rows are eliminated first")                          \
@@ -48,7 +48,7 @@
         "lp/redundancy/active_set/implied lp/redundancy/active_set/active_set "                    \
         "lp/redundancy/active_set/rounded_proof "                                                  \
         "lp/redundancy/active_set/interior_point",                                                 \
-        "elimination: rows that others imply, guessed among few")                                  \
+        "elimination: implied rows, guessed among few active ones")                                \
     WAY(EDGES, "edges of rays", "dd/edges",                                                        \
         "double description: adjacency of simple rays by their edges")                             \
     WAY(ROUGH, "facets in doubles", "hull/facets/facets_roughly hull/facets/facets_normals",       \
@@ -60,7 +60,7 @@
         "pairs: verdicts side by side, with error bounds")                                         \
     WAY(PAIR_FLAT, "kernels of few axes",                                                          \
         "pair/kernels/verdict/verdict_flat pair/kernels/packed/packed_flat",                       \
-        "pairs: the same for frames with any number of axes")                                      \
+        "pairs: verdict kernels for any number of axes")                                           \
     WAY(PAIR_CORNERS, "signs of determinants", "pair/corners/decide_corners",                      \
         "pairs: verdicts on triangles and tetrahedra by their corners")                            \
     WAY(PAIR_VERTICES, "exact vertices", "pair/exact_box/*",                                       \

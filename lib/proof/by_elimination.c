@@ -186,14 +186,14 @@ static fmb_status look_at_all_rows(matching *m, const fmb_unsaid *unsaid, const 
         const fmb_eliminated_row *r = &m->of->row[i];
         bool good = !names_others(m, r), back = true;
         if (!good) {
-            *why = "variables that are not kept are left";
+            *why = "some variables are not eliminated";
             return FMB_OK;
         }
         st = look_at_row(m, i, 1, unsaid, &good);
         if (st == FMB_OK && r->rel == FMB_EQ)
             st = look_at_row(m, i, -1, unsaid, &back);
         if (!good || !back)
-            *why = "no claim says what is left of some rows";
+            *why = "no claim implies some rows that the elimination leaves";
     }
     return st;
 }

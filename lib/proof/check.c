@@ -125,7 +125,7 @@ static bool are_multipliers(court *c, const fmb_sparse_vector *multipliers, basi
         if (i >= c->s->rows)
             return refuse(c, "there is no row %zu", i + 1);
         if (from == PRESENT && c->goes[i] <= c->now)
-            return refuse(c, "row %zu is gone", i + 1);
+            return refuse(c, "row %zu was removed", i + 1);
         fmb_rel rel = relation_in(c, i, from);
         int sign = mpq_sgn(multipliers->value[k]);
         if (rel != FMB_EQ && sign < 0)

@@ -384,9 +384,9 @@ static fmb_status check_faces(assembly *a, const char **why, bool *on)
 {
     static const char *const said[] = {
         [FMB_LATTICE_CLOSED] = NULL,
-        [FMB_LATTICE_OPEN] = "the corners leave some of what the rows allow unproved",
+        [FMB_LATTICE_OPEN] = "the corners do not span all that the rows allow",
         [FMB_LATTICE_UNSHOWN] = "no corners show that a face belongs to the projection",
-        [FMB_LATTICE_LARGE] = "there are too many faces to look at"};
+        [FMB_LATTICE_LARGE] = "there are too many faces to check"};
     fmb_lattice_end end = FMB_LATTICE_OPEN;
     size_t n = 0;
     bool linear = is_free_part_linear(a, &n);

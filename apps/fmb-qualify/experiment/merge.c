@@ -55,7 +55,7 @@ static int read_file(const char *path, pile *p)
     if (code != APP_YES)
         return code;
     if (getline(&text, &room, f) <= 0 || strcmp(text, qualify_experiment_header) != 0)
-        code = app_error(APP_BAD_INPUT, "%s: not what `fmb-qualify run` leaves", path);
+        code = app_error(APP_BAD_INPUT, "%s: not an output of `fmb-qualify run`", path);
     while (code == APP_YES && (n = getline(&text, &room, f)) > 0)
         if (fits(p, text, (size_t)n))
             put_line(p, app_need(strdup(text)), block_of(text));

@@ -177,8 +177,7 @@ static int read_and_run(const order_to_run *o)
 enum { KEY_SHARD = 0x100 };
 
 static const struct argp_option options[] = {
-    {"out", 'o', "FILE", 0,
-     "Where the lines of CSV go; one that is there is gone on with [PLAN.csv]", 1},
+    {"out", 'o', "FILE", 0, "The CSV file; an existing one is continued [PLAN.csv]", 1},
     {"shard", KEY_SHARD, "I/N", 0, "Only every N-th block, from the I-th on", 1},
     {"quiet", 'q', NULL, 0, "No progress bar", 2},
     {0}};

@@ -33,7 +33,7 @@ static int read_lines(const qualify_experiment *e, const char *path, FILE *f, bo
         lines = block == last ? lines + 1 : 1;
         last = block;
         if (block < 0)
-            code = app_error(APP_BAD_INPUT, "%s: not what a run of this plan leaves", path);
+            code = app_error(APP_BAD_INPUT, "%s: not an output of this plan", path);
         else if (lines == qualify_block_size(e, (size_t)block) * e->ways) {
             done[block] = true;
             *end = ftell(f);

@@ -163,9 +163,9 @@ int qualify_plan_merge(const qualify_plan *p, qualify_plan *out)
     out->detail = p->detail;
     code = qualify_plan_make(out);
     if (code == APP_YES && !make_room(&out->grid, out->part[0]))
-        code = app_error(APP_BAD_INPUT, "%s: not what a shard leaves", p->file[0]);
+        code = app_error(APP_BAD_INPUT, "%s: not the output of a shard", p->file[0]);
     for (size_t i = 0; code == APP_YES && i < out->parts; i++)
         if (!add_runs(&out->grid, out->part[i]))
-            code = app_error(APP_BAD_INPUT, "%s: a shard that did not come to its end", p->file[i]);
+            code = app_error(APP_BAD_INPUT, "%s: an unfinished shard", p->file[i]);
     return code;
 }

@@ -64,8 +64,8 @@ void qualify_show_wrong(const qualify_plan *p, qualify_page *page)
     char *text = qualify_system_text(s, c);
     qualify_page_text(page,
                       "Wrong: rules %s in order %s, asked for a verdict, or for the projection on "
-                      "the variables that stay. The system that shows it, without the rows that "
-                      "it does not need:",
+                      "the kept variables. The system that shows it, with only the rows that it "
+                      "needs:",
                       p->way[w].name, qualify_order_of(p, w)->name);
     show_system(page, text);
     free(text);

@@ -20,7 +20,7 @@ static const struct {
     {"endless", "all rows let a planted ray through", study_image_endless},
     {"open", "few rows around many variables, which often leave all of them behind",
      study_image_open},
-    {"flat", "a hidden equality between variables that stay and others", study_image_flat},
+    {"flat", "a hidden equality between kept and eliminated variables", study_image_flat},
     {"none", "a hidden contradiction", study_image_none},
     {"cube", "a sheared cube", study_image_cube},
     {"slice", "a unit cube between three pairs of parallel planes", study_image_slice},

@@ -128,7 +128,7 @@ def _add_row(s: System, numbers: Sequence[int], relation: str, right: int) -> No
 
 class Wrong:
     """A wrong answer: the `system` that it is about, made as small as it still goes wrong, and the
-    one that was `met`; `kept`, the variables that stay, None where a verdict was asked for; what was
+    one that was `met`; `kept`, the kept variables, None where a verdict was asked for; what was
     `told`, and the `truth`, which has a proof that was checked."""
 
     def __init__(self, system: System, met: System, kept: tuple[str, ...] | None, told: str,

@@ -269,9 +269,9 @@ static void tell_claim(const telling *t, const fmb_claim *c)
         [FMB_CLAIM_INFEASIBLE] = "no point satisfies every row",
         [FMB_CLAIM_UNBOUNDED] = " has no end",
         [FMB_CLAIM_IMPLIED] = " follows",
-        [FMB_CLAIM_REDUNDANT] = " follows from rows that stay",
+        [FMB_CLAIM_REDUNDANT] = " follows from the other rows",
         [FMB_CLAIM_EQUALITY] = " always holds with equality",
-        [FMB_CLAIM_IRREDUNDANT] = " follows from no others that stay",
+        [FMB_CLAIM_IRREDUNDANT] = " does not follow from the kept rows",
         [FMB_CLAIM_CORNER] = " satisfies every row where < is read as <=",
         [FMB_CLAIM_WHOLE] = ": no row of the projection on these is missing",
         [FMB_CLAIM_FOLLOWS] = " follows from claims"};

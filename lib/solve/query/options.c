@@ -43,11 +43,10 @@ static const entry TABLE[] = {
     OPTION(TEXT, presolve, NULL, "LIST|none", "equalities,components,onesided,bounds,refute",
            "Steps before and beside the elimination, separated by commas."),
     OPTION(WORD, simd, SIMD, "auto|plain|avx2|avx512", "auto", "Instructions for the inner loops."),
-    OPTION(FLAG, trace_rows, NULL, "true|false", "false",
-           "Put every row that is made into the trace."),
+    OPTION(FLAG, trace_rows, NULL, "true|false", "false", "Put every new row into the trace."),
     OPTION(WORD, evidence, EVIDENCE, "all|none|verdict|whole", "all",
-           "Keep the numbers that prove the answer, or its verdict only, or that no row is "
-           "missing, too."),
+           "Keep proofs of the answer, of its verdict only, or also that no row of a projection is "
+           "missing."),
     OPTION(SECONDS, max_seconds, NULL, "SECONDS", "0", "Wall-clock limit of a query; 0 is none."),
     OPTION(COUNT, max_rows, NULL, "ROWS", "0", "Limit on live rows of an elimination; 0 is none."),
     OPTION(COUNT, max_bytes, NULL, "BYTES", "0",
@@ -55,7 +54,7 @@ static const entry TABLE[] = {
     OPTION(COUNT, threads, NULL, "THREADS", "0",
            "Threads for ends of a box, redundant rows, support queries and rays; 0 is one."),
     OPTION(WORD, symmetry, SYMMETRY, "auto|none", "auto",
-           "Support queries for one facet of those that given symmetries move."),
+           "Support queries for one facet of each orbit of given symmetries."),
 };
 
 const fmb_option_info *fmb_options_describe(size_t i)

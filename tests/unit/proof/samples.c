@@ -203,9 +203,9 @@ const proof_sample proof_samples[] = {
      "claim irredundant 4\npoint x 1\npoint y -1/2\nend\n",
      NULL, 0},
     {"both go", SQUARE,
-     "claim redundant 5\nrow 1 1\nrow 2 1\nend\nclaim redundant 6\nrow 5 1\nend\n", "row 5 is gone",
-     0},
-    {"by itself", SQUARE, "claim redundant 5\nrow 5 1\nend\n", "row 5 is gone", 0},
+     "claim redundant 5\nrow 1 1\nrow 2 1\nend\nclaim redundant 6\nrow 5 1\nend\n",
+     "row 5 was removed", 0},
+    {"by itself", SQUARE, "claim redundant 5\nrow 5 1\nend\n", "row 5 was removed", 0},
     {"by one that stays", SQUARE, "claim redundant 6\nrow 5 1\nend\n", NULL, 0},
     {"not redundant", SQUARE, "claim redundant 5\nrow 1 1\nend\n", "coefficient of y is wrong", 0},
     {"tighter than the rest", SQUARE, "claim redundant 5\nrow 6 1\nend\n",
@@ -264,11 +264,11 @@ const proof_sample proof_samples[] = {
      "claim redundant 1\nrow 2 1\nreverse 3 1\nend\nclaim redundant 3\nrow 4 1/2\nend\n", NULL, 0},
     {"reverse by a row that is gone", "x\n1 = 1\n1 <= 1\n-1 <= -1\n-2 <= -2",
      "claim redundant 3\nrow 4 1/2\nend\nclaim redundant 1\nrow 2 1\nreverse 3 1\nend\n",
-     "row 3 is gone", 0},
+     "row 3 was removed", 0},
     {"one after another", SQUARE,
      "claim redundant 6\nrow 5 1\nend\nclaim redundant 5\nrow 1 1\nrow 2 1\nend\n", NULL, 0},
     {"in a circle", "x\n1 <= 1\n1 <= 1",
-     "claim redundant 1\nrow 2 1\nend\nclaim redundant 2\nrow 1 1\nend\n", "row 1 is gone", 0},
+     "claim redundant 1\nrow 2 1\nend\nclaim redundant 2\nrow 1 1\nend\n", "row 1 was removed", 0},
     {"gone twice", SQUARE, "claim redundant 6\nrow 5 1\nend\nclaim redundant 6\nrow 5 1\nend\n",
      NULL, 0},
     {"negative by an equality that goes later", FLAT,
@@ -296,20 +296,20 @@ const proof_sample proof_samples[] = {
     {"a row is missing", TRIANGLE,
      TRIANGLE_CORNERS "claim implied <= 4\nterm x 1\nterm y 1\nrow 1 1\nend\n"
                       "claim implied <= 0\nterm x -1\nrow 2 1\nend\nclaim whole x y\nend\n",
-     "unproved", 0},
+     "do not span", 0},
     {"a corner is missing", TRIANGLE,
      TRIANGLE_ROWS "claim corner\nend\nclaim corner\npoint x 4\nend\nclaim whole x y\nend\n",
-     "unproved", 0},
+     "do not span", 0},
     {"a corner twice", TRIANGLE,
-     TRIANGLE_ROWS TRIANGLE_CORNERS "claim corner\nend\nclaim whole x y\nend\n", "unproved", 0},
+     TRIANGLE_ROWS TRIANGLE_CORNERS "claim corner\nend\nclaim whole x y\nend\n", "do not span", 0},
     {"a corner off its place", TRIANGLE,
      TRIANGLE_ROWS "claim corner\nend\nclaim corner\npoint x 3\nend\n"
                    "claim corner\npoint y 4\nend\nclaim whole x y\nend\n",
-     "unproved", 0},
+     "do not span", 0},
     {"a corner outside", TRIANGLE,
      TRIANGLE_ROWS TRIANGLE_CORNERS "claim corner\npoint x 5\nend\nclaim whole x y\nend\n",
      "violates row 1", 0},
-    {"no corner", TRIANGLE, TRIANGLE_ROWS "claim whole x y\nend\n", "unproved", 0},
+    {"no corner", TRIANGLE, TRIANGLE_ROWS "claim whole x y\nend\n", "do not span", 0},
     {"a row that is too tight", TRIANGLE,
      "claim whole x y\nend\n" TRIANGLE_CORNERS TRIANGLE_ROWS
      "claim implied <= 3\nterm x 1\nterm y 1\nrow 1 1\nend\n",
@@ -325,7 +325,7 @@ const proof_sample proof_samples[] = {
      "claim implied <= 0\nterm x 1\nterm y -1\nrow 1 1\nend\nclaim implied < 3\nterm y -1\n"
      "row 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\nclaim corner\nray x -1\nend\n"
      "claim whole x y\nend\n",
-     "unproved", 0},
+     "do not span", 0},
     {"a cone that is said to be closed", CONE,
      "claim implied <= 0\nterm x 1\nterm y -1\nrow 1 1\nend\nclaim implied <= 3\nterm y -1\n"
      "row 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\n" CONE_RAYS "claim whole x y\nend\n",
@@ -337,7 +337,7 @@ const proof_sample proof_samples[] = {
     {"a line one way", "x y z\n1 1 1 <= 1",
      "claim corner\nend\nclaim corner\nray x 1\nray z -1\nend\nclaim corner\nray x -1\nend\n"
      "claim corner\nray y 1\nray z -1\nend\nclaim whole x y\nend\n",
-     "unproved", 0},
+     "do not span", 0},
     {"a point", EQUALITIES,
      "claim implied = 1\nterm x 1\nrow 1 1\nreverse 1 -1\nend\nclaim corner\npoint x 1\npoint y 1\n"
      "end\nclaim whole x\nend\n",
@@ -350,7 +350,7 @@ const proof_sample proof_samples[] = {
     {"equation not named", LINE,
      "claim implied <= 3\nterm y -1\nrow 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\n"
      "claim corner\nray x 1\nray y 1\nend\nclaim whole x y\nend\n",
-     "unproved", 0},
+     "do not span", 0},
     {"an edge that strict rows leave",
      "x y z\n1 0 0 <= 1\n-1 0 0 <= 0\n0 1 0 < 1\n0 -1 0 <= 0\n0 0 1 <= 1",
      "claim implied <= 1\nterm x 1\nrow 1 1\nend\nclaim implied <= 0\nterm x -1\nrow 2 1\nend\n"
@@ -371,21 +371,21 @@ const proof_sample proof_samples[] = {
     {"by an equality", EQUALITIES,
      "claim implied = 1\nterm x 1\nrow 1 1\nreverse 1 -1\nend\nclaim whole x\nstep y 1\nend\n",
      NULL, 0},
-    {"a sum that nobody says", PRISM, PRISM_ROWS PRISM_STEP, "no claim says", 0},
+    {"a sum that nobody says", PRISM, PRISM_ROWS PRISM_STEP, "no claim implies some", 0},
     {"a row not as strict", PRISM,
      "claim implied <= 4\nterm x 2\nterm y 1\nrow 1 1\nrow 4 1\nend\n"
      "claim implied <= 0\nterm x -1\nrow 2 1\nend\nclaim implied <= 0\nterm y -1\nrow 3 1\n"
      "end\n" PRISM_FOLLOWS PRISM_STEP,
-     "no claim says", 0},
+     "no claim implies some", 0},
     {"a step of what is kept", PRISM,
      PRISM_ROWS PRISM_FOLLOWS "claim whole x y\nstep z 1\nstep y 2\nend\n", "that is kept", 0},
     {"a step too few", PRISM, PRISM_ROWS PRISM_FOLLOWS "claim whole x\nstep z 1\nend\n",
-     "not kept are left", 0},
+     "variables are not eliminated", 0},
     {"a claim about what goes", PRISM,
      PRISM_ROWS "claim implied <= 5\nterm z 1\nrow 5 1\nend\nclaim implied <= 0\nterm x 1\n"
                 "term z -1\nrow 4 1\nend\nclaim follows <= 5\nterm x 1\nimplied 4 1\nimplied 5 "
                 "1\nend\n" PRISM_STEP,
-     "no claim says", 0},
+     "no claim implies some", 0},
     {"follows from too little", PRISM,
      PRISM_ROWS "claim follows <= 1\nterm x 1\nimplied 1 1/2\nimplied 3 1/2\nend\n", "too large",
      0},
