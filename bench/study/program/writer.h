@@ -107,5 +107,14 @@ study_family study_image_simplices, study_image_weights, study_image_cells, stud
 study_family study_image_mixed, study_image_fans, study_image_bound, study_image_plenty,
     study_image_mostly_kept, study_image_implied, study_image_blocks, study_image_band,
     study_image_differences;
+/* images/choices.c: orders, matchings, decisions under chance */
+study_family study_image_majority, study_image_degrees, study_image_payoffs, study_image_decisions,
+    study_image_visits;
+/* images/risks.c: portfolios, options, errors */
+study_family study_image_dominance, study_image_quotes, study_image_protected,
+    study_image_enclosures, study_image_codes;
+/* images/fields.c: states in space and time, timing */
+study_family study_image_estimates, study_image_membrane, study_image_scans, study_image_skews,
+    study_image_legal;
 
 #endif
