@@ -19,7 +19,7 @@ static const struct argp_option plots_options[] = {
     {"out", 'o', "DIR", 0, "Folder for the figures [fmb-plots]", 1}, {0}};
 
 static const struct argp_option leaderboard_options[] = {
-    {"out", 'o', "FILE", 0, "Where it goes [leaderboard.md]", 1}, {0}};
+    {"out", 'o', "FILE", 0, "The output file [leaderboard.md]", 1}, {0}};
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
@@ -43,14 +43,14 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 }
 
 static const char plots_doc[] =
-    "Draw what `fmb-qualify run` left in a file of CSV: cactus plot, "
+    "Draw the CSV output of `fmb-qualify run`: cactus plot, "
     "performance profiles, critical "
     "differences, rows by round, growth, families x rules; a table in LaTeX; "
     "and report.html with them "
     "all. It needs Python with matplotlib, numpy and scipy.";
 
 static const char leaderboard_doc[] =
-    "Rank the rules and orders that `fmb-qualify run` left in a file of CSV: by rows made, by the "
+    "Rank the rules and orders in the CSV output of `fmb-qualify run`: by rows made, by the "
     "most rows at once, by time, and by what proofs cost; in Markdown. Further files are entries "
     "beside it, as fmb.lab.experiment of Python writes them, ranked without a time. Wrong answers "
     "disqualify. It needs Python with matplotlib, numpy and scipy.";

@@ -17,8 +17,8 @@ enum { KEY_PASSES = 0x100, KEY_SIMD, MOST_PAIRS = 10000000 };
 
 static const struct argp_option options[] = {
     {"pairs", 'n', "N", 0, "Pairs of each class", 1},
-    {"passes", KEY_PASSES, "N", 0, "Of the clock over all pairs", 1},
-    {"seed", 's', "S", 0, "Of the random numbers [1]", 1},
+    {"passes", KEY_PASSES, "N", 0, "Timed passes over all pairs", 1},
+    {"seed", 's', "S", 0, "Seed of the random numbers [1]", 1},
     {"simd", KEY_SIMD, "LEVEL", 0, "auto, plain, avx2, avx512 [auto]", 1},
     {"out", 'o', "DIR", 0, "Write report.html, CSV, JSON and figures into this folder, too", 2},
     {"json", 'j', NULL, 0, "Print one JSON object instead of tables", 2},
@@ -77,8 +77,8 @@ static char *doc_of(const qualify_study *s)
     char *doc;
     const char *more = strchr(s->doc, '\v');
     int length = more ? (int)(more - s->doc) : (int)strlen(s->doc);
-    if (asprintf(&doc, "%.*s\v%s%sBy itself it looks at %zu pairs of each class, in %d passes.\n",
-                 length, s->doc, more ? more + 1 : "", more ? "\n" : "", s->alone.pairs,
+    if (asprintf(&doc, "%.*s\v%s%sDefault: %zu pairs of each class, in %d passes.\n", length,
+                 s->doc, more ? more + 1 : "", more ? "\n" : "", s->alone.pairs,
                  s->alone.passes) < 0)
         app_need(NULL);
     return doc;

@@ -25,7 +25,7 @@ enum {
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Pairs:", 1},
     {"pairs", 'n', "N", 0, "Of each case and family [1000000]", 1},
-    {"seed", 's', "S", 0, "Of the random numbers [1]", 1},
+    {"seed", 's', "S", 0, "Seed of the random numbers [1]", 1},
     {"families", 'f', "WORD,...", 0,
      "article, lattice, touching, near, flat, degenerate, tiny-A, tiny-B, far, denormal, swept, "
      "integer, scaled, spread, ragged, or all [article]",
@@ -34,21 +34,23 @@ static const struct argp_option options[] = {
     {"axes", KEY_AXES, "A,B", 0, "How many axes the frames have, for faces and edges [all]", 1},
     {NULL, 0, NULL, 0, "Questions:", 2},
     {"sample", KEY_SAMPLE, "SHARE", 0,
-     "Of the article's pairs whose verdicts are proved; those of all other families are [0.01]", 2},
+     "Share of the article's pairs whose verdicts are proved; those of other families always are "
+     "[0.01]",
+     2},
     {"textbook", KEY_TEXTBOOK, "SHARE", 0,
-     "Of those, that are asked of the exact way and of the textbook, too [0.01]", 2},
+     "Share of these that the exact method and the textbook answer, too [0.01]", 2},
     {"boxes", KEY_BOXES, NULL, 0, "Hold boxes, times and witnesses against the exact ones", 2},
     {"contact", KEY_CONTACT, NULL, 0,
-     "In two and three dimensions hold depths, distances, normals, nearest points and rows between "
+     "In two and three dimensions hold depths, distances, normals, nearest points and separating "
+     "rows "
      "against exact ones, in four to eight exact depths and distances against proofs",
      2},
     {"simd", KEY_SIMD, "WORD", 0, "auto, plain, avx2, avx512: the kernels to use [auto]", 2},
     {NULL, 0, NULL, 0, "Work:", 3},
-    {"threads", 't', "T", 0, "At once [1]", 3},
+    {"threads", 't', "T", 0, "Number of threads [1]", 3},
     {"shard", KEY_SHARD, "I/N", 0, "Only part I of N [1/1]; the counts of all parts add up", 3},
     {"merge", KEY_MERGE, NULL, 0,
-     "Ask nothing: the words are files, the --json of all shards of a run, whose counts are added",
-     3},
+     "No questions: add the counts of the FILEs, the --json of all shards of a run", 3},
     {NULL, 0, NULL, 0, "Report:", 4},
     {"json", 'j', "FILE", 0, "Write the counts as JSON; - prints them instead of the table", 4},
     {"failures", KEY_FAILURES, "FILE", 0,

@@ -137,7 +137,7 @@ static const char doc[] =
     "Is the clock fair? The rules `none` are timed against `none`, as two ways of an experiment "
     "are, on the smallest systems of all families of the benchmark, others in each repetition. "
     "Each is a line of CSV: the ratio of the totals and the median ratio, with intervals of 95 %, "
-    "which have to hold 1 about as often as that."
+    "which should contain 1 in 95 % of cases."
     "\v"
     "docs/laboratory.md shows what was found.\n";
 

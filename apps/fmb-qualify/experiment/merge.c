@@ -104,7 +104,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     }
 }
 
-static const char doc[] = "Print what the shards of `fmb-qualify run` left as one file of CSV.";
+static const char doc[] = "Join the outputs of the shards of `fmb-qualify run` to one CSV file.";
 
 int qualify_merge(int argc, char **argv)
 {
