@@ -6,7 +6,7 @@
  */
 #include "look_ahead.h"
 
-/* Rows made less rows gone if column d goes after c; c == d: if it goes now. */
+/* Rows added less rows removed by eliminating d after c; c == d: by eliminating it now. */
 static double growth(const fmb_view *w, int c, int d)
 {
     double lower = 0, upper = 0; /* rows of negative and of positive coefficient in d */
