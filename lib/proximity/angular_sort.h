@@ -6,8 +6,8 @@
 
 #include "base/mem.h"
 
-/* *g, vertices none of which is between others, may become another list of them: where they span a
- * plane, they follow each other around the polygon. Errors: MEMORY, LIMIT; *g is then as it was. */
+/* *g, the vertices of a convex set, may be replaced by a list of the same: if they span a plane,
+ * they are in their order around the polygon. Errors: MEMORY, LIMIT; *g is then unchanged. */
 fmb_status fmb_angular_sort(fmb_generators **g, fmb_mem *mem);
 
 #endif

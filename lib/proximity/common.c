@@ -2,8 +2,8 @@
 #include "proximity/angular_sort.h"
 #include "proximity/proximity_private.h"
 
-/* Where axes depend on each other, those of a hull of many points among them: coordinates along
- * them are variables, and are eliminated. */
+/* For dependent axes, such as those of a hull of many points: the coordinates along them are
+ * variables of the system, and are eliminated. */
 static fmb_status find_from_all(fmb_solver *v, const fmb_two *two, fmb_generators **out,
                                 fmb_result *res)
 {
@@ -39,7 +39,7 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
     fmb_system_free(s);
     if (st == FMB_OK && found)
         st = fmb_angular_sort(&found, &v->mem);
-    if (st != FMB_OK || r.stop != FMB_STOP_DONE) { /* some are not the common points */
+    if (st != FMB_OK || r.stop != FMB_STOP_DONE) { /* a partial list is no answer */
         fmb_generators_free(found);
         found = NULL;
     }

@@ -1,9 +1,9 @@
-/* depth.c: how deep two frames are in each other; see fmb/proximity.h.
+/* depth.c: the penetration depth of two frames; see fmb/proximity.h.
  *
- * The frames part after the second moves by z iff z is not in the interior of M: so the shortest
- * such z leads from 0, inside M, to a facet. Beyond the facet a.x <= b the Euclidean norm reaches
- * first b a / |a|^2; the cube around 0 reaches first its corner with the signs of a, at half width
- * b / (|a_1| + |a_2| + ...). An equality among the rows of M, which then is flat, is a facet at
+ * If the second frame is translated by z, the interiors do not meet iff z is not in the interior of
+ * M: so the shortest such z leads from 0, inside M, to a facet a.x <= b. Its length is b / |a|,
+ * with z = b a / |a|^2, in the Euclidean norm; in the maximum norm it is s = b / (|a_1| + |a_2| +
+ * ...), with z_j = +-s, the signs of a. If M is flat, an equality among its rows is a facet at
  * depth 0.
  *
  * In up to eight dimensions the normals of facets are known without a projection.
@@ -19,7 +19,7 @@ typedef struct deepest {
     mpq_t depth, size, b, a; /* of the current row: its depth, |a|^2 or the sum of |a_j| */
 } deepest;
 
-/* The measure of how far 0 is from row i: b^2 / |a|^2, or b / sum |a_j|. */
+/* The distance of 0 from row i: b^2 / |a|^2, the square, or b / sum |a_j|. */
 static void measure_row(deepest *d, const fmb_system *facets, size_t i)
 {
     bool square = d->out->norm == FMB_NORM_EUCLIDEAN;
@@ -40,7 +40,7 @@ static void measure_row(deepest *d, const fmb_system *facets, size_t i)
     mpq_div(d->depth, d->depth, d->size);
 }
 
-/* The shift beyond row i, which was measured. */
+/* Take the translation to row i, which was measured. */
 static void take_row(deepest *d, const fmb_system *facets, size_t i)
 {
     fmb_proximity *out = d->out;
@@ -89,7 +89,7 @@ static bool holds_origin(const fmb_system *facets)
 
 /* ---- by projection --------------------------------------------------------------------------- */
 
-/* The facets of M. They are not wanted with evidence: it would be about a system that nobody sees.
+/* The facets of M, without evidence: it would be about a system that the caller does not know.
  */
 static fmb_status find_facets(fmb_solver *v, fmb_minkowski *m, fmb_system **out, fmb_result *res)
 {
@@ -123,8 +123,8 @@ static fmb_status ask_facets(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out
 
 /* ---- by normals ------------------------------------------------------------------------------ */
 
-/* Along the normal n of a facet the translation is overlap n / |n|^2, or in the other norm the
- * corner of a cube: n is then signs alone, and |n| the sum of its coordinates. */
+/* The translation is overlap n / |n|^2 for the normal n of the facet; in the maximum norm, a corner
+ * of a cube: n is replaced by its signs, and |n| is the sum of its absolute coordinates. */
 static void write_least_overlap(const fmb_minkowski *m, fmb_least_overlap *x, fmb_proximity *out)
 {
     mpq_t step;
@@ -151,7 +151,7 @@ static void write_least_overlap(const fmb_minkowski *m, fmb_least_overlap *x, fm
     mpq_clear(step);
 }
 
-/* Where 0 is on the boundary of M, or M is flat, the nearest point of M tells which. */
+/* If the least overlap is 0, then 0 is on the boundary of M, or M is flat: is 0 in M? */
 static fmb_status answer_by_normals(fmb_minkowski *m, fmb_run *run, fmb_proximity *out,
                                     fmb_verdict *verdict)
 {

@@ -5,7 +5,7 @@
 
 /* ---- in the norm of the largest coordinate --------------------------------------------------- */
 
-/* m_j <= s and -m_j <= s for the variable s behind all others. */
+/* Add the variable s, the last one, and the rows m_j <= s and -m_j <= s. */
 static fmb_status bound_by_cube(fmb_minkowski *m, fmb_system *s)
 {
     int var[2] = {0, fmb_system_dim(s)};

@@ -82,7 +82,7 @@ void fmb_minkowski_shorten(fmb_minkowski *m, mp_bitcnt_t *by)
 {
     size_t dim = (size_t)m->dim;
     for (size_t j = 0; j < dim; j++) {
-        mpz_set_ui(m->t[0], 0); /* the bits of all numbers: the lowest of them is wanted */
+        mpz_set_ui(m->t[0], 0); /* the bits of all numbers, of which the lowest counts */
         for (size_t i = j; i < m->cells; i += dim)
             mpz_ior(m->t[0], m->t[0], m->cell[i]);
         by[j] = mpz_sgn(m->t[0]) == 0 ? 0 : mpz_scan1(m->t[0], 0);
@@ -146,7 +146,7 @@ void fmb_minkowski_lowest(fmb_minkowski *m, mpz_t *w, mpz_t *vertex)
 
 /* ---- as a system ----------------------------------------------------------------------------- */
 
-/* A row on its way into a system. */
+/* A row to be appended to a system. */
 typedef struct row_draft {
     fmb_system *s;
     size_t n;

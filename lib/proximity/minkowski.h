@@ -20,7 +20,7 @@ typedef struct fmb_minkowski_frame {
     mpz_t *row; /* [naxes + 2][dim] */
 } fmb_minkowski_frame;
 
-/* All numbers are whole: real ones times unit. */
+/* All numbers are integers: true values times unit. */
 typedef struct fmb_minkowski {
     fmb_mem *mem;
     int dim;
@@ -33,18 +33,18 @@ typedef struct fmb_minkowski {
     mpz_t t[4];   /* scratch */
 } fmb_minkowski;
 
-/* Clear it whatever is returned. Errors: MEMORY. */
+/* The caller must call fmb_minkowski_clear even after an error. Errors: MEMORY. */
 fmb_status fmb_minkowski_init(fmb_minkowski *m, const fmb_two *two, fmb_mem *mem);
 void fmb_minkowski_clear(fmb_minkowski *m);
 
-/* Divide coordinate j of all rows by 2^by[j], the largest power of 2 that divides them. Whether 0
- * is in M stays; distances and normals are those of a space whose axes have other units. */
+/* Divide coordinate j of all rows by 2^by[j], the largest power of 2 that divides them. This does
+ * not change whether 0 is in M; distances and normals become those in scaled coordinates. */
 void fmb_minkowski_shorten(fmb_minkowski *m, mp_bitcnt_t *by);
 
 /* A vertex of M, as [FMB_VERTEX_ROWS][dim] numbers: itself, the points at rest of P and of Q that
  * it comes from, and the time (0 or 1) in the first place of the last row. */
 enum { FMB_VERTEX_ROWS = 4 };
-/* The one where w is least. */
+/* The vertex of M where w is least. */
 void fmb_minkowski_lowest(fmb_minkowski *m, mpz_t *w, mpz_t *vertex);
 
 /* [give] M as the projection of a system on its first dim variables: the others are the coordinates

@@ -1,16 +1,16 @@
 /* nearest.c: the point of a polytope nearest to 0, by P. Wolfe's algorithm, exactly.
  *
- * A corral is a set of vertices, affinely independent, whose affine hull has its point x nearest to
- * 0 inside their convex hull. If no vertex v of M has v.x < x.x, then M lies beyond the plane
- * through x at right angles to it, and x is the answer. If one has, it joins the corral: the point
- * y nearest to 0 of the new affine hull is nearer than x, and if it lies outside of the convex
- * hull, one goes from x towards y as far as the hull reaches, drops the vertices that have no
- * weight there, and asks again. Each step of the outer loop comes nearer to 0, so no corral comes
- * twice, and there are finitely many. All signs are exact.
+ * A corral is a set of affinely independent vertices whose affine hull has its point x nearest to 0
+ * inside their convex hull. If no vertex v of M has v.x < x.x, all of M lies beyond the plane
+ * through x at right angles to it, and x is the answer. Otherwise such a v joins the corral. The
+ * point y nearest to 0 of the new affine hull is nearer than x. If y is outside the convex hull, x
+ * moves towards y as far as the hull reaches, and the vertices whose weights are 0 there are
+ * dropped, until y is inside. x always comes nearer to 0, so no corral is repeated, and there are
+ * finitely many. All signs are exact.
  *
- * At first y is found in doubles, for as long as x comes nearer by that. The corral which is left
- * is a guess: the exact walk begins there, in the midst of its vertices, and mostly ends there;
- * where they depend on each other it begins at one of them.
+ * First y is computed in doubles, as long as x comes nearer. The last corral is a guess: the exact
+ * walk begins with it, at the mean of its vertices, and mostly ends there; if its vertices are
+ * dependent, it begins at one of them.
  *
  * Source: P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
  */
@@ -36,11 +36,11 @@ typedef struct wolfe {
     mpz_t *direction;   /* [dim] x times the determinant */
     mpq_t *weight;      /* [most] of the vertices in x */
     mpq_t *wish;        /* [most] in y */
-    double *near; /* [most][dim] in doubles: vertices, none of whose numbers is larger than 1 ... */
-    double *gram; /* ... [most][most + 1] their products, and 1 */
+    double *near;  /* [most][dim] in doubles: vertices, scaled so that no number exceeds 1 ... */
+    double *gram;  /* ... [most][most + 1] their products, and 1 */
     double *rough; /* [dim] x */
     double length; /* |x|^2 */
-    long bits;     /* of the largest number of a vertex, or more */
+    long bits;     /* a bound on those of a vertex's numbers */
     bool roughly;  /* y is found in doubles */
     mpz_t det, a, b;
     mpq_t step, t;
@@ -141,8 +141,8 @@ static double rough_dot(const wolfe *w, const double *a, const double *b)
     return sum;
 }
 
-/* With a 1 added to all products the matrix is regular even if 0 is in the hull, and its solution
- * is a multiple of the weights. A weight that is no number is 0. */
+/* With 1 added to all products the matrix is regular even if 0 is in the hull, and its solution is
+ * a multiple of the weights. A weight that is a NaN is set to 0. */
 static void find_rough_wish(wolfe *w)
 {
     size_t n = w->n, dim = (size_t)w->m->dim;
@@ -181,7 +181,7 @@ static mp_bitcnt_t find_edge(wolfe *w, size_t i)
     return power;
 }
 
-/* Edge i times those behind it, and times the first vertex, negated, in the last place. */
+/* The products of edge i with the later edges; in the last place, with the negated first vertex. */
 static void find_products(wolfe *w, size_t i)
 {
     size_t n = w->n, dim = (size_t)w->m->dim;
@@ -192,8 +192,8 @@ static void find_products(wolfe *w, size_t i)
     mpz_neg(row[n - 1], row[n - 1]);
 }
 
-/* Fraction-free, as in frame/jordan.c, but of a symmetric matrix the upper half alone; det is the
- * last pivot. Pivots are squares of volumes: one is 0 only if edges are dependent. */
+/* Fraction-free elimination, as in frame/jordan.c, of the upper half of a symmetric matrix; det is
+ * the last pivot. Pivots are squares of volumes: one is 0 only if edges are dependent. */
 static fmb_status eliminate(wolfe *w)
 {
     size_t n = w->n;
@@ -216,14 +216,14 @@ static fmb_status eliminate(wolfe *w)
     return FMB_OK;
 }
 
-/* y is the first vertex and multiples of edges, and at right angles to all of these. By Cramer's
- * rule each multiple times det is whole. What is taken out of an edge its multiple is divided by,
- * so that all others, and det, are multiplied; a power of 2 that all share is none of theirs. */
+/* y is the first vertex plus multiples of edges, and perpendicular to all edges. By Cramer's rule
+ * each multiple times det is an integer. An edge was divided by 2^power: so its multiple has to be,
+ * too; instead det, and all other multiples, are multiplied by 2^(most - power). */
 static fmb_status find_exact_wish(wolfe *w)
 {
     size_t n = w->n;
     mp_bitcnt_t *power = w->power, most = 0;
-    if (n == 0) /* doubles dropped all */
+    if (n == 0) /* doubles dropped all vertices */
         return FMB_ERR_ARG;
     for (size_t i = 0; i + 1 < n; i++) {
         power[i] = find_edge(w, i);
@@ -269,7 +269,7 @@ static bool is_wish_inside(const wolfe *w)
     return i == w->n;
 }
 
-/* How far from x towards y all weights stay at least 0. */
+/* The largest step from x towards y that keeps all weights at least 0. */
 static void find_step(wolfe *w)
 {
     mpq_set_ui(w->step, 1, 1);
@@ -296,7 +296,8 @@ static void drop_vertex(wolfe *w, size_t i)
     mpq_set(w->wish[i], w->wish[last]);
 }
 
-/* At least one vertex is dropped: the one that stopped the step. Only now common divisors matter.
+/* At least one vertex is dropped: the one that limited the step. Only now are common divisors
+ * removed.
  */
 static void step_towards_wish(wolfe *w)
 {
@@ -354,7 +355,7 @@ static void find_rough_direction(wolfe *w)
         mpz_set_d(w->direction[j], ldexp(w->rough[j], DBL_MANT_DIG - exponent));
 }
 
-/* Does the vertex behind those of the corral have v.x < x.x? */
+/* Does the vertex after the corral's, the candidate, have v.x < x.x? */
 static bool is_nearer(wolfe *w)
 {
     fmb_minkowski_dot(w->m, w->direction, w->vertex[w->n], w->a);
@@ -363,8 +364,8 @@ static bool is_nearer(wolfe *w)
     return mpz_cmp(w->a, w->b) < 0;
 }
 
-/* The same in doubles, where x must also have come nearer since it was asked last, and there is
- * room for a vertex in a corral. */
+/* Likewise in doubles, where x must also be nearer than at the last call, and the corral must have
+ * room for a vertex. */
 static bool is_roughly_nearer(wolfe *w)
 {
     double length = rough_dot(w, w->rough, w->rough), *v = w->near + w->n * (size_t)w->m->dim;
@@ -374,7 +375,7 @@ static bool is_roughly_nearer(wolfe *w)
     return falls && w->n <= (size_t)w->m->dim && rough_dot(w, w->rough, v) < length;
 }
 
-/* Wolfe's algorithm from those vertices and weights on. */
+/* Wolfe's algorithm from the present corral and weights. */
 static fmb_status walk(wolfe *w, bool roughly)
 {
     bool goes_on = true;
@@ -390,7 +391,7 @@ static fmb_status walk(wolfe *w, bool roughly)
     return FMB_OK;
 }
 
-/* The first n vertices, in the midst of them. */
+/* Begin with the first n vertices, at their mean. */
 static void begin(wolfe *w, size_t n)
 {
     w->n = n;
@@ -400,7 +401,7 @@ static void begin(wolfe *w, size_t n)
 
 static fmb_status find_nearest_corral(wolfe *w)
 {
-    fmb_minkowski_lowest(w->m, w->direction, w->vertex[0]); /* any will do: the direction is 0 */
+    fmb_minkowski_lowest(w->m, w->direction, w->vertex[0]); /* any vertex: the direction is 0 */
     begin(w, 1);
     FMB_TRY(walk(w, true));
     begin(w, w->n);

@@ -22,13 +22,13 @@ struct fmb_proximity {
 /* An answer about M, given all zeros. Errors: MEMORY. */
 typedef fmb_status fmb_proximity_way(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out,
                                      fmb_result *res);
-/* [give] What the public verbs hand out; only of frames that meet unless apart. Errors: ARG,
- * MEMORY. */
+/* [give] The result of a public verb; without `apart` there is one only for frames that meet.
+ * Errors: ARG, MEMORY. */
 fmb_status fmb_proximity_find(fmb_solver *v, const fmb_two *two, fmb_norm norm, bool apart,
                               fmb_proximity_way *way, fmb_proximity **out, fmb_result *res);
 
-/* The same within a query of that name, which is about a system without rows. Errors: MEMORY,
- * LIMIT.
+/* Like fmb_proximity_way, but run as a query with this name, about a system without rows. Errors:
+ * MEMORY, LIMIT.
  */
 typedef fmb_status fmb_proximity_answer(fmb_minkowski *m, fmb_run *run, fmb_proximity *out,
                                         fmb_verdict *verdict);

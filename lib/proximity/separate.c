@@ -1,18 +1,18 @@
-/* separate.c: a row that keeps two frames apart; see fmb/proximity.h.
+/* separate.c: a row that separates two frames; see fmb/proximity.h.
  *
- * Farkas multipliers of the system that says where the frames meet, x and t being variables, fall
- * into those of the first frame's rows, of the second's, and of time's. The coordinates c of the
- * first frame are in its rows alone, so these combine to a row w.x + k t <= b that holds for the
- * first frame, and those of the second to one that holds for it and contradicts the first: w
- * separates. Once w is known, the row that is handed out rests on the second frame: x is counted as
- * it moves, and the right side is as far as the first one comes.
+ * The system of the common points has the variables x, t and the coordinates c of both frames; each
+ * frame has rows of its own, which share only x and t. So Farkas multipliers of a conflict combine
+ * the rows of the first frame to w.x + k t <= b, where its c cancel, and those of the second frame
+ * and of time to a row that contradicts it: w separates. Only w is kept. The row handed out is at
+ * rest relative to the second frame (the coefficient of t is minus its speed along w), and its
+ * right side is the largest value that the first frame reaches.
  */
 #include "num/rationals.h"
 #include "num/vec.h"
 #include "proximity/proximity_private.h"
 #include "system/system_private.h"
 
-/* Rows of a frame before those that tell its point (frame/frame_rows.c). */
+/* The number of a frame's rows before those that define its point x (frame/frame_rows.c). */
 static size_t rows_before_point(const fmb_minkowski_frame *f)
 {
     size_t n = (size_t)f->naxes;
@@ -27,7 +27,7 @@ static size_t find_conflict(const fmb_evidence *e)
     return i;
 }
 
-/* w_j is the multiplier of the row that tells x_j, times the coefficient of x_j in it. */
+/* w_j is the multiplier of the row that defines x_j, times the coefficient of x_j in it. */
 static void read_direction(const fmb_minkowski *m, const fmb_system *s, const fmb_evidence *e,
                            mpq_t *w)
 {
@@ -56,7 +56,7 @@ static void make_direction_integer(const fmb_minkowski *m, mpq_t *w, mpz_t *out)
     mpz_clear(scale);
 }
 
-/* What n numbers have in common is divided out. */
+/* Divide n integers by their greatest common divisor. */
 static void make_primitive(mpz_t *z, size_t n)
 {
     mpz_t g;
@@ -98,7 +98,7 @@ static fmb_status append_separating_row(fmb_minkowski *m, mpz_t *w, mpz_t *verte
     return st;
 }
 
-/* Scratch is whole numbers: w, then -w, then a vertex. */
+/* The scratch integers: w, then -w, then a vertex. */
 static fmb_status find_row(fmb_minkowski *m, const fmb_system *s, const fmb_evidence *e,
                            fmb_system *out)
 {
@@ -138,7 +138,7 @@ static fmb_status make_row(fmb_solver *v, const fmb_two *two, const fmb_system *
     return st;
 }
 
-/* The conflict is wanted, whatever the solver keeps otherwise. */
+/* The evidence is needed, whatever the solver's options keep. */
 static fmb_status solve_with_evidence(fmb_solver *v, const fmb_system *s, fmb_evidence **out,
                                       fmb_result *res)
 {

@@ -1,13 +1,12 @@
-/* separates.c: does a row keep two frames apart? The check of separate.c, which shares nothing with
+/* separates.c: does a row separate two frames? The check of separate.c, which shares nothing with
  * it but public headers.
  *
- * At a time t the numbers w.x + k t of a frame's points are an interval, whose ends are affine in
- * t: what holds at t = 0 and at t = 1 holds between. The row separates if the first frame is on its
- * one side and the second on the other at both times, and no point of both lies on the plane.
- * Either there is a gap between the intervals at both times, and so between; or, with open contact,
- * one of the frames has points beside the plane: then its relative interior has none on it, as a
- * linear form that is not constant on a convex set takes its largest value on no relative interior
- * point.
+ * At time t the values w.x + k t of a frame's points are an interval, whose ends are affine in t.
+ * So if the right side lies between the two intervals at t = 0 and at t = 1, it does at all times
+ * between. Then the frames are apart if no common point lies on the plane. That holds if there is a
+ * gap between the intervals at both times, and so at all times; or, with open contact, if one frame
+ * has points off the plane: then its relative interior is off the plane, as a linear form that is
+ * not constant on a convex set attains its maximum at no relative interior point.
  */
 #include <fmb/proximity.h>
 
@@ -19,7 +18,7 @@ typedef struct interval {
     mpq_t low, high;
 } interval;
 
-/* What a frame is, in rationals, whatever its source: row i of the origin, edges and speed. */
+/* Numbers of a frame in rationals, from either source: row i of the origin, edges and speed. */
 typedef struct source {
     const fmb_frame *f;
     const fmb_frame_q *q;
@@ -62,7 +61,7 @@ static void read_time(const fmb_system *row, int dim, mpq_t out)
         mpq_set_ui(out, 0, 1);
 }
 
-/* The numbers of a frame at rest: the form of its origin, and what the edges add. */
+/* The interval at t = 0: the value at the origin, plus what the edges add at either end. */
 static void find_interval(const source *a, const fmb_system *row, interval *out)
 {
     fmb_shape shape = a->f ? a->f->shape : a->q->shape;
@@ -89,7 +88,7 @@ static void find_interval(const source *a, const fmb_system *row, interval *out)
     mpq_clears(origin, edge, NULL);
 }
 
-/* The interval at rest becomes the one at t = 1. */
+/* Change the interval at t = 0 to that at t = 1. */
 static void move_interval(const source *a, const fmb_system *row, interval *of)
 {
     int naxes = a->f ? a->f->naxes : a->q->naxes, dim = a->f ? a->f->dim : a->q->dim;
@@ -110,7 +109,7 @@ static bool has_width(const interval *a)
     return !mpq_equal(a->low, a->high);
 }
 
-/* Is the right side between the two, and is there a gap, or need there be none? */
+/* Is the right side between the two intervals, with a gap between them if one is needed? */
 static bool lies_between(const interval *first, const interval *second, const mpq_t right,
                          bool needs_gap)
 {

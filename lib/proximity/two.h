@@ -6,7 +6,7 @@
 #include "frame/frame_private.h"
 #include "solve/query/solver.h"
 
-/* One of f and q is not NULL: [2], of one dimension. */
+/* Either f or q is not NULL: [2] frames of one dimension. */
 typedef struct fmb_two {
     const fmb_frame *f;
     const fmb_frame_q *q;
@@ -17,10 +17,10 @@ fmb_status fmb_two_expect(fmb_solver *v, const fmb_two *two, bool out, const fmb
 int fmb_two_dim(const fmb_two *two);
 bool fmb_two_moves(const fmb_two *two);
 
-/* [give] Where they meet. Errors: ARG (dependent axes, where c is no variable), MEMORY. */
+/* [give] The system of common points. Errors: ARG (dependent axes, c no variables), MEMORY. */
 fmb_status fmb_two_system(const fmb_two *two, fmb_coordinates in, fmb_contact contact,
                           const fmb_alloc *mem, fmb_system **out);
-/* fmb_scene_clear it, whatever is returned. Errors: MEMORY. */
+/* The caller must call fmb_scene_clear even after an error. Errors: MEMORY. */
 fmb_status fmb_two_scene(const fmb_two *two, fmb_mem *mem, fmb_scene *out);
 
 #endif
