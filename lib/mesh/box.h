@@ -33,15 +33,29 @@ static inline float fmb_float_above(double x)
     return -fmb_float_below(-x);
 }
 
-/* The box from one corner to the other. */
-static inline fmb_mesh_box fmb_mesh_box_around(const double lower[3], const double upper[3])
+/* The greatest floats that are not above the four doubles. What is rounded up to 0 is -0, so the
+ * float before it has the next integer as its bits, like that before any negative one. */
+static inline fmb_float4 fmb_floats_below(const double x[4])
 {
-    fmb_mesh_box b = {{0}, {0}};
-    for (int j = 0; j < 3; j++) {
-        b.lower[j] = fmb_float_below(lower[j]);
-        b.upper[j] = fmb_float_above(upper[j]);
-    }
-    return b;
+    typedef int32_t four __attribute__((vector_size(16)));
+    typedef int64_t two __attribute__((vector_size(16)));
+    typedef double doubles __attribute__((vector_size(16)));
+    typedef double wide __attribute__((vector_size(32)));
+    wide exact = {x[0], x[1], x[2], x[3]};
+    fmb_float4 near = __builtin_convertvector(exact, fmb_float4);
+    wide again = __builtin_convertvector(near, wide);
+    two front = (two)((doubles){again[0], again[1]} > (doubles){x[0], x[1]});
+    two back = (two)((doubles){again[2], again[3]} > (doubles){x[2], x[3]});
+    four above = {(int32_t)front[0], (int32_t)front[1], (int32_t)back[0], (int32_t)back[1]};
+    four bits = (four)near;
+    return (fmb_float4)(bits - (above & (bits >> 31 | 1)));
+}
+
+/* The box from one corner to the other, whose fourth numbers are 0. */
+static inline fmb_mesh_box fmb_mesh_box_around(const double lower[4], const double upper[4])
+{
+    const double minus[4] = {-upper[0], -upper[1], -upper[2], -upper[3]};
+    return (fmb_mesh_box){fmb_floats_below(lower), -fmb_floats_below(minus)};
 }
 
 /* The least box that contains both. */

@@ -15,19 +15,19 @@ typedef struct point_table {
     size_t size; /* a power of two */
 } point_table;
 
-/* splitmix64 of the bits, with -0 as 0. */
+/* Multiplicative hashing of the bits, with -0 as 0: the highest bits of a product depend on all. */
 static uint64_t hash_point(const double *p)
 {
+    static const uint64_t odd[3] = {UINT64_C(0x9E3779B97F4A7C15), UINT64_C(0xBF58476D1CE4E5B9),
+                                    UINT64_C(0x94D049BB133111EB)};
     uint64_t h = 0;
     for (int j = 0; j < 3; j++) {
         double x = p[j] + 0.0;
         uint64_t bits;
         memcpy(&bits, &x, sizeof bits);
-        h = (h ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
-        h = (h ^ (h >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-        h ^= h >> 27;
+        h += bits * odd[j];
     }
-    return h;
+    return (h ^ h >> 32) * odd[0] >> 32;
 }
 
 static bool are_equal_points(const double *p, const double *q)
@@ -52,19 +52,24 @@ static uint32_t find_or_enter_point(point_table *t, const fmb_mesh *m, const fmb
     return t->slot[at] = (uint32_t)(v + offset);
 }
 
+enum { SMALL_TABLE = 64 };
+
 fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem *mem, uint32_t *out)
 {
-    point_table t = {.size = 16};
+    uint32_t small[SMALL_TABLE];
     size_t offset = other ? other->vertices : 0;
+    point_table t = {small, 8};
     while (t.size < 2 * (m->vertices + offset))
         t.size *= 2;
-    FMB_TRY(FMB_GET(mem, t.slot, t.size));
+    if (t.size > SMALL_TABLE)
+        FMB_TRY(FMB_GET(mem, t.slot, t.size));
     memset(t.slot, 0xff, t.size * sizeof *t.slot);
     for (size_t v = 0; v < offset; v++)
         find_or_enter_point(&t, other, NULL, v, 0);
     for (size_t v = 0; v < m->vertices; v++)
         out[v] = find_or_enter_point(&t, m, other, v, offset);
-    fmb_mem_put(mem, t.slot, t.size, sizeof *t.slot);
+    if (t.size > SMALL_TABLE)
+        fmb_mem_put(mem, t.slot, t.size, sizeof *t.slot);
     return FMB_OK;
 }
 
@@ -115,79 +120,138 @@ static bool is_flat_at_any_size(const fmb_cell *c)
     return rank < n;
 }
 
-static void look_at_cells(fmb_mesh *m)
+/* Does a projection of a tame triangle certainly have an area (see fmb_sign_of_turn)? */
+static bool has_clear_area(const fmb_mesh *m, const uint32_t *corner)
 {
-    for (size_t i = 0; i < m->cells; i++) {
-        fmb_cell c = fmb_mesh_cell_of(m, m->same, i);
-        bool tame = fmb_cell_is_tame(&c);
-        m->faults[i] = tame ? 0 : FMB_MESH_WILD;
-        if (tame ? fmb_cell_is_flat(&c) : is_flat_at_any_size(&c))
-            m->faults[i] |= FMB_MESH_FLAT;
-    }
+    const double *point = m->point;
+    fmb_triangle_plane h =
+        fmb_triangle_plane_of(point + 3 * (size_t)corner[0], point + 3 * (size_t)corner[1],
+                              point + 3 * (size_t)corner[2]);
+    bool clear = false;
+    for (int k = 0; k < 3; k++)
+        clear |= fabs(h.normal[k]) > 0x1p-51 * h.size[k];
+    return clear;
+}
+
+static uint8_t faults_of_cell(const fmb_mesh *m, size_t i)
+{
+    fmb_cell c = fmb_mesh_cell_of(m, m->same, i);
+    bool tame = fmb_cell_is_tame(&c), flat = tame ? fmb_cell_is_flat(&c) : is_flat_at_any_size(&c);
+    return (uint8_t)((tame ? 0 : FMB_MESH_WILD) | (flat ? FMB_MESH_FLAT : 0));
+}
+
+/* tame: all coordinates are. */
+static void look_at_cells(fmb_mesh *m, bool tame)
+{
+    tame = tame && m->corners == 3;
+    for (size_t i = 0; i < m->cells; i++)
+        m->faults[i] = tame && has_clear_area(m, m->corner + 3 * i) ? 0 : faults_of_cell(m, i);
 }
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
+/* As whole numbers, to be vectorized. */
+static bool are_tame(const double *x, size_t n)
+{
+    int64_t wild = 0;
+    for (size_t i = 0; i < n; i++)
+        wild |= !fmb_is_tame(x[i]);
+    return wild == 0;
+}
+
+static bool are_finite(const double *x, size_t n)
+{
+    size_t i = 0;
+    while (i < n && isfinite(x[i]))
+        i++;
+    return i == n;
+}
+
+static bool are_below(uint32_t end, const uint32_t *x, size_t n)
+{
+    uint32_t beyond = 0;
+    for (size_t i = 0; i < n; i++)
+        beyond |= x[i] >= end;
+    return beyond == 0;
+}
+
+/* *tame: see look_at_cells. */
 static bool are_mesh_arguments(int corners, size_t vertices, const double *point, size_t cells,
-                               const uint32_t *corner)
+                               const uint32_t *corner, bool *tame)
 {
     bool good = (corners == 3 || corners == 4) && vertices <= FMB_MESH_MOST &&
                 cells <= FMB_MESH_MOST && (point || vertices == 0) && (corner || cells == 0);
-    for (size_t i = 0; good && i < 3 * vertices; i++)
-        good = isfinite(point[i]);
-    for (size_t i = 0; good && i < (size_t)corners * cells; i++)
-        good = corner[i] < vertices;
-    return good;
+    *tame = good && are_tame(point, 3 * vertices);
+    return good && (*tame || are_finite(point, 3 * vertices)) &&
+           are_below((uint32_t)vertices, corner, (size_t)corners * cells);
 }
 
-static void *copy_array(fmb_mem *mem, const void *from, size_t n, size_t size)
+/* Copy an array to its place `to`; returns that, or NULL if there is no array. */
+static void *copy_array(void *to, const void *from, size_t bytes)
 {
-    void *to = fmb_mem_get(mem, n, size);
-    if (to && n > 0)
-        memcpy(to, from, n * size);
-    return to;
+    return from && bytes > 0 ? memcpy(to, from, bytes) : from ? to : NULL;
 }
 
-static fmb_status fill_mesh(fmb_mesh *m, const double *point, const uint32_t *corner,
-                            const fmb_mesh_origin *from)
+/* [give] A mesh with its arrays in one block, which is all that its mem counts; those from a file
+ * are copied, the others are not filled. Errors: MEMORY. */
+static fmb_status allocate_mesh(int corners, size_t vertices, size_t cells,
+                                const fmb_mesh_origin *from, const fmb_alloc *hook, fmb_mesh **out)
 {
-    fmb_mem *mem = &m->mem;
-    m->point = copy_array(mem, point, 3 * m->vertices, sizeof *point);
-    m->corner = copy_array(mem, corner, m->cells * (size_t)m->corners, sizeof *corner);
-    m->names_size = from->names_size;
-    m->face = from->face ? copy_array(mem, from->face, m->cells, sizeof *m->face) : NULL;
-    m->group = from->group ? copy_array(mem, from->group, m->cells, sizeof *m->group) : NULL;
-    m->names = from->group ? copy_array(mem, from->names, m->names_size, 1) : NULL;
-    m->same = fmb_mem_get(mem, m->vertices, sizeof *m->same);
-    m->faults = fmb_mem_get(mem, m->cells, sizeof *m->faults);
-    if (!m->point || !m->corner || (from->face && !m->face) ||
-        (from->group && !(m->group && m->names)) || !m->same || !m->faults)
-        return fmb_mem_status(mem);
-    FMB_TRY(fmb_mesh_find_same(m, NULL, mem, m->same));
-    look_at_cells(m);
-    return fmb_mesh_grow_tree(m);
+    const size_t n = cells * (size_t)corners, names = from->group ? from->names_size : 0;
+    fmb_mesh *m;
+    fmb_mem mem;
+    double *point;
+    fmb_mesh_box *box;
+    fmb_mesh_node *node;
+    uint32_t *number;
+    uint8_t *byte;
+    fmb_mem_init(&mem, hook, 0);
+    FMB_TRY(FMB_ARRAYS_IN_BLOCK(&mem, true, FMB_ARRAY(m, 1), FMB_ARRAY(point, 3 * vertices),
+                                FMB_ARRAY(box, cells), FMB_ARRAY(node, fmb_mesh_most_nodes(cells)),
+                                FMB_ARRAY(number, n + vertices + 3 * cells),
+                                FMB_ARRAY(byte, cells + names)));
+    uint32_t *order = number + n + vertices, *face = order + cells;
+    *m = (fmb_mesh){
+        .mem = mem,
+        .corners = corners,
+        .vertices = vertices,
+        .cells = cells,
+        .point = point,
+        .same = number + n,
+        .corner = number,
+        .face = copy_array(face, from->face, cells * sizeof *face),
+        .group = copy_array(face + cells, from->group, cells * sizeof *face),
+        .names = copy_array(byte + cells, from->group ? from->names : NULL, names),
+        .names_size = from->names_size,
+        .faults = byte,
+        .order = order,
+        .box = box,
+        .node = node,
+    };
+    *out = m;
+    return FMB_OK;
 }
 
 fmb_status fmb_mesh_new_of_file(int corners, size_t vertices, const double *point, size_t cells,
                                 const uint32_t *corner, const fmb_mesh_origin *origin,
                                 const fmb_alloc *hook, fmb_mesh **out)
 {
-    fmb_mem mem;
-    if (!out || !are_mesh_arguments(corners, vertices, point, cells, corner))
-        return FMB_ERR_ARG;
-    fmb_mem_init(&mem, hook, 0);
     fmb_mesh *m;
-    FMB_TRY(FMB_GET_ZERO(&mem, m, 1));
-    m->mem = mem;
-    m->corners = corners;
-    m->vertices = vertices;
-    m->cells = cells;
-    fmb_status st = fill_mesh(m, point, corner, origin);
-    if (st == FMB_OK)
-        *out = m;
-    else
+    bool tame;
+    if (!out || !are_mesh_arguments(corners, vertices, point, cells, corner, &tame))
+        return FMB_ERR_ARG;
+    FMB_TRY(allocate_mesh(corners, vertices, cells, origin, hook, &m));
+    copy_array(m->point, point, 3 * vertices * sizeof *point);
+    copy_array(m->corner, corner, cells * (size_t)corners * sizeof *corner);
+    fmb_status st = fmb_mesh_find_same(m, NULL, &m->mem, m->same);
+    if (st != FMB_OK) {
         fmb_mesh_free(m);
-    return st;
+        return st;
+    }
+    look_at_cells(m, tame);
+    fmb_mesh_grow_tree(m);
+    *out = m;
+    return FMB_OK;
 }
 
 fmb_status fmb_mesh_new(int corners, size_t vertices, const double *point, size_t cells,
@@ -202,13 +266,7 @@ void fmb_mesh_free(fmb_mesh *m)
     if (!m)
         return;
     fmb_mem mem = m->mem;
-    FMB_ARRAYS_PUT(&mem, FMB_ARRAY(m->point, 3 * m->vertices),
-                   FMB_ARRAY(m->corner, m->cells * (size_t)m->corners),
-                   FMB_ARRAY(m->face, m->cells), FMB_ARRAY(m->group, m->cells),
-                   FMB_ARRAY(m->names, m->names_size), FMB_ARRAY(m->same, m->vertices),
-                   FMB_ARRAY(m->faults, m->cells), FMB_ARRAY(m->order, m->cells),
-                   FMB_ARRAY(m->box, m->cells), FMB_ARRAY(m->node, m->nodes));
-    fmb_mem_put(&mem, m, 1, sizeof *m);
+    fmb_mem_put(&mem, m, mem.used, 1);
 }
 
 /* ---- placing --------------------------------------------------------------------------------- */

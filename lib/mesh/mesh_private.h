@@ -68,8 +68,14 @@ fmb_status fmb_mesh_new_of_file(int corners, size_t vertices, const double *poin
                                 const uint32_t *corner, const fmb_mesh_origin *origin,
                                 const fmb_alloc *mem, fmb_mesh **out);
 
-/* Build m->order, m->box and m->node. Errors: MEMORY. */
-fmb_status fmb_mesh_grow_tree(fmb_mesh *m);
+/* Fill m->order, m->box and m->node. */
+void fmb_mesh_grow_tree(fmb_mesh *m);
+/* The most nodes of a tree: no leaf has less than a quarter of FMB_MESH_LEAF_CELLS cells, unless it
+ * is the root. */
+static inline size_t fmb_mesh_most_nodes(size_t cells)
+{
+    return 2 * (cells / (FMB_MESH_LEAF_CELLS / 4)) + 1;
+}
 
 /* out[v] = the number of the first vertex at the point of vertex v of m, where vertices of `other`
  * come first and those of m count from other->vertices on. other may be NULL. Errors: MEMORY. */

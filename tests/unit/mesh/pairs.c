@@ -4,6 +4,8 @@
 
 #include <fmb/mesh.h>
 
+#include "mesh/box.h"
+
 #include "soup.h"
 
 /* All pairs, in two portions of rows, find what trees find, and ask about each pair once. */
@@ -74,5 +76,71 @@ Test(meet, scales)
         compare_pairs_with_trees(n, m, &o);
         fmb_mesh_free(m);
         fmb_mesh_free(n);
+    }
+}
+
+enum { MANY = 120 };
+
+/* A coordinate in a law of its own: even, ever denser towards 0, few values, one value, all but one
+ * value, beyond floats. */
+static double draw_unevenly(support_rng *g, int law)
+{
+    double x = support_between(g, 1, 1 << 20) * 0x1p-20;
+    double laws[] = {x,
+                     ldexp(x, -(int)support_between(g, 0, 150)),
+                     (double)support_between(g, 0, 2),
+                     1,
+                     support_between(g, 0, 99) == 0 ? x : 1,
+                     ldexp(x, (int)support_between(g, -180, 180)) *
+                         (double)(2 * support_between(g, 0, 1) - 1)};
+    return laws[law];
+}
+
+enum { LAWS = 6 };
+
+/* The boxes of all triangles, rounded outward one number at a time: how many pairs of them meet? */
+static uint64_t count_boxes_that_meet(const double *point, const uint32_t *corner)
+{
+    fmb_mesh_box box[MANY] = {0};
+    uint64_t meet = 0;
+    for (int c = 0; c < MANY; c++)
+        for (int j = 0; j < 3; j++) {
+            double lower = INFINITY, upper = -INFINITY;
+            for (int k = 0; k < 3; k++) {
+                lower = fmin(lower, point[3 * corner[3 * c + k] + (uint32_t)j]);
+                upper = fmax(upper, point[3 * corner[3 * c + k] + (uint32_t)j]);
+            }
+            box[c].lower[j] = fmb_float_below(lower);
+            box[c].upper[j] = fmb_float_above(upper);
+        }
+    for (int c = 0; c < MANY; c++)
+        for (int d = c + 1; d < MANY; d++)
+            meet += fmb_mesh_boxes_meet(&box[c], &box[d]);
+    return meet;
+}
+
+/* Whatever plane divides the cells, trees find all pairs, and ask about no more than boxes say. */
+Test(meet, uneven)
+{
+    for (int i = 0; i < LAWS * LAWS; i++) {
+        support_rng g = {(uint64_t)i + 77};
+        double point[3 * 3 * MANY];
+        uint32_t corner[3 * MANY];
+        for (int k = 0; k < 3 * MANY; k++) {
+            bool near = k % 3 != 0 && k % 6 < 3;
+            for (int j = 0; j < 3; j++)
+                point[3 * k + j] = near ? point[3 * (k - 1) + j] * (1 + 0x1p-6 * (j + k % 5))
+                                        : draw_unevenly(&g, j == 0 ? i % LAWS : i / LAWS);
+            corner[k] = (uint32_t)(support_between(&g, 0, 4) == 0 ? support_between(&g, 0, k) : k);
+        }
+        fmb_mesh *m = NULL;
+        fmb_mesh_options o = {.size = sizeof o, .neighbours = true};
+        fmb_mesh_answer answer = {.size = sizeof answer};
+        must(fmb_mesh_new(3, (size_t)3 * MANY, point, MANY, corner, NULL, &m));
+        compare_pairs_with_trees(m, NULL, &o);
+        must(fmb_mesh_meet(m, NULL, &o, &answer));
+        cr_expect(answer.tested == count_boxes_that_meet(point, corner));
+        fmb_mesh_answer_clear(&answer);
+        fmb_mesh_free(m);
     }
 }
