@@ -3,22 +3,38 @@
 
 /* ---- pairs of cells -------------------------------------------------------------------------- */
 
-static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_triangle_plane *plane,
-                               const fmb_cell *b, unsigned faults, unsigned common,
-                               fmb_mesh_how *how)
+/* A cell with what its pairs ask for. */
+typedef struct listed_cell {
+    uint32_t number;
+    unsigned faults;
+    fmb_cell cell;
+    fmb_triangle_plane plane; /* of a triangle */
+} listed_cell;
+
+static void list_cell(const fmb_mesh *m, const uint32_t *ids, uint32_t number, listed_cell *out)
 {
+    out->number = number;
+    out->faults = m->faults[number];
+    out->cell = fmb_mesh_cell_of(m, ids, number);
+    out->plane = fmb_plane_of_cell(&out->cell);
+}
+
+static fmb_status decide_cells(fmb_tree_walk *x, const listed_cell *a, const listed_cell *b,
+                               unsigned common, fmb_mesh_how *how)
+{
+    const fmb_cell *p = &a->cell, *q = &b->cell;
     int shared = fmb_cell_count(common);
-    bool alike = a->corners == b->corners && !faults && !x->plan->o->motion;
+    bool alike = p->corners == q->corners && !(a->faults | b->faults) && !x->plan->o->motion;
     *how = FMB_MESH_TOUCH;
-    if (alike && a->corners == 3)
-        *how = fmb_decide_triangles(a, plane, b, common);
+    if (alike && p->corners == 3)
+        *how = fmb_decide_triangles(p, &a->plane, q, common);
     else if (alike)
-        *how = fmb_decide_tetrahedra(a, b, shared);
-    if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
+        *how = fmb_decide_tetrahedra(p, q, shared);
+    if (alike && (p->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
         return FMB_OK;
     x->out.framed++;
     FMB_TRY(fmb_run_poll_now(&x->run));
-    return fmb_mesh_decide_frames(&x->frames, a, b, (faults >> 4 & FMB_MESH_FLAT) != 0, how);
+    return fmb_mesh_decide_frames(&x->frames, p, q, (b->faults & FMB_MESH_FLAT) != 0, how);
 }
 
 static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
@@ -30,24 +46,24 @@ static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
     return st;
 }
 
-/* Decide a pair of cells and note a hit; plane: of a, if it is a triangle. */
-static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a,
-                                        const fmb_triangle_plane *plane, uint32_t i,
-                                        const fmb_cell *b, uint32_t j)
+/* Decide a pair of cells and note a hit. */
+static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const listed_cell *a,
+                                        const listed_cell *b)
 {
     fmb_mesh_how how;
-    unsigned common = fmb_cell_common(a, b);
+    unsigned common = fmb_cell_common(&a->cell, &b->cell);
     x->out.tested++;
-    unsigned faults = x->plan->a->faults[i] | (unsigned)x->plan->b->faults[j] << 4;
-    fmb_status st = decide_cells(x, a, plane, b, faults, common, &how);
+    fmb_status st = decide_cells(x, a, b, common, &how);
     bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->plan->o->neighbours);
     if (st == FMB_OK && how == FMB_MESH_APART && x->plan->clearance.gap > 0) {
         bool exactly;
-        st = fmb_mesh_cells_are_near(&x->frames, a, b, &x->plan->clearance, &exactly, &wanted);
+        st = fmb_mesh_cells_are_near(&x->frames, &a->cell, &b->cell, &x->plan->clearance, &exactly,
+                                     &wanted);
         x->out.framed += exactly;
     }
-    return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, fmb_cell_count(common), how})
-                                  : st;
+    if (st != FMB_OK || !wanted)
+        return st;
+    return append_hit(x, (fmb_mesh_hit){a->number, b->number, fmb_cell_count(common), how});
 }
 
 /* ---- trees ----------------------------------------------------------------------------------- */
@@ -79,13 +95,11 @@ static fmb_status note_progress(fmb_tree_walk *x, double weight)
     return share_progress(x);
 }
 
-/* Cells of a leaf by their places in the order of the tree, and their boxes, swept if they move. */
+/* Cells of a leaf, and their boxes, swept if they move. */
 typedef struct leaf_cells {
     int size;
-    uint32_t place[FMB_MESH_LEAF_CELLS];
     fmb_mesh_box box[FMB_MESH_LEAF_CELLS];
-    fmb_cell cell[FMB_MESH_LEAF_CELLS];
-    fmb_triangle_plane plane[FMB_MESH_LEAF_CELLS];
+    listed_cell cell[FMB_MESH_LEAF_CELLS];
 } leaf_cells;
 
 /* List the cells of leaf n whose boxes are near a box around the cells of another leaf. */
@@ -96,24 +110,18 @@ static void list_cells(const fmb_mesh *m, const uint32_t *ids, const fmb_mesh_no
     out->size = 0;
     for (uint32_t i = n->from; i < n->to; i++) {
         out->box[out->size] = fmb_mesh_box_sweep(m->box[i], motion);
-        out->place[out->size] = i;
+        out->cell[out->size].number = m->order[i];
         out->size += fmb_mesh_boxes_are_near(clearance, &out->box[out->size], other);
     }
-    for (int i = 0; i < out->size; i++) {
-        out->cell[i] = fmb_mesh_cell_of(m, ids, m->order[out->place[i]]);
-        out->plane[i] = fmb_plane_of_cell(&out->cell[i]);
-    }
+    for (int i = 0; i < out->size; i++)
+        list_cell(m, ids, out->cell[i].number, &out->cell[i]);
 }
 
-/* Decide cell i of p and cell j of q; within one mesh the smaller number comes first. */
-static fmb_status meet_cells(fmb_tree_walk *x, const leaf_cells *p, int i, const leaf_cells *q,
-                             int j)
+/* Decide two cells; within one mesh the smaller number comes first. */
+static fmb_status meet_cells(fmb_tree_walk *x, const listed_cell *p, const listed_cell *q)
 {
-    const fmb_walk_plan *plan = x->plan;
-    uint32_t c = plan->a->order[p->place[i]], d = plan->b->order[q->place[j]];
-    bool swap = plan->a == plan->b && d < c;
-    return swap ? look_at_pair_of_cells(x, &q->cell[j], &q->plane[j], d, &p->cell[i], c)
-                : look_at_pair_of_cells(x, &p->cell[i], &p->plane[i], c, &q->cell[j], d);
+    bool swap = x->plan->a == x->plan->b && q->number < p->number;
+    return look_at_pair_of_cells(x, swap ? q : p, swap ? p : q);
 }
 
 /* Decide all pairs of two leaves; of a leaf with itself each pair once. */
@@ -132,7 +140,7 @@ static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fm
     for (int i = 0; i < a.size; i++)
         for (int j = p == q ? i + 1 : 0; st == FMB_OK && j < b->size; j++)
             if (fmb_mesh_boxes_are_near(clearance, &a.box[i], &b->box[j]))
-                st = meet_cells(x, &a, i, b, j);
+                st = meet_cells(x, &a.cell[i], &b->cell[j]);
     return st;
 }
 
@@ -177,16 +185,16 @@ fmb_status fmb_walk_row_of_pairs(fmb_tree_walk *x, uint32_t row)
     const fmb_walk_plan *plan = x->plan;
     const size_t cells = plan->b->cells;
     const double weight = 1.0 / (double)(plan->to - plan->from) / (double)cells;
-    fmb_cell a = fmb_mesh_cell_of(plan->a, plan->ids_a, row);
-    fmb_triangle_plane plane = fmb_plane_of_cell(&a);
+    listed_cell a, b;
     fmb_status st = FMB_OK;
+    list_cell(plan->a, plan->ids_a, row, &a);
     for (size_t j = plan->a == plan->b ? (size_t)row + 1 : 0; st == FMB_OK && j < cells;) {
         size_t end = cells - j < PAIRS_BETWEEN_NOTES ? cells : j + PAIRS_BETWEEN_NOTES;
         double share = weight * (double)(end - j);
         st = fmb_run_poll(&x->run);
         for (; st == FMB_OK && j < end; j++) {
-            fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, (uint32_t)j);
-            st = look_at_pair_of_cells(x, &a, &plane, row, &b, (uint32_t)j);
+            list_cell(plan->b, plan->ids_b, (uint32_t)j, &b);
+            st = look_at_pair_of_cells(x, &a, &b);
         }
         FMB_THEN(st, note_progress(x, share));
     }

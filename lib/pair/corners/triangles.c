@@ -19,12 +19,21 @@
 #include "pair/corners/cell.h"
 #include "pair/corners/volume.h"
 
-/* On which side of h, b's plane, the corners of a are: -1, 0, 1. */
-static void find_sides_of_plane(const fmb_cell *a, const fmb_cell *b, const fmb_triangle_plane *h,
-                                int side[3])
+/* On which side of h are the corners of c, where bits of `common` are of corners that it has, too:
+ * -1, 0, 1; 0 also if doubles are not certain. Below: side[] then becomes exact. */
+static void find_certain_sides(const fmb_triangle_plane *h, const fmb_cell *c, unsigned common,
+                               int side[3])
 {
     for (int i = 0; i < 3; i++)
-        side[i] = fmb_cell_has(b, a->id[i]) ? 0 : fmb_side_of_triangle_plane(h, a->point[i]);
+        side[i] = common >> i & 1 ? 0 : fmb_certain_side_of_plane(h, c->point[i]);
+}
+
+static void find_other_sides(const fmb_triangle_plane *h, const fmb_cell *c, unsigned common,
+                             int side[3])
+{
+    for (int i = 0; i < 3; i++)
+        if (side[i] == 0 && !(common >> i & 1))
+            side[i] = fmb_side_of_triangle_plane(h, c->point[i]);
 }
 
 static bool are_on_both_sides(const int side[3])
@@ -217,15 +226,15 @@ static int place_of_bit(unsigned bit)
 
 /* A fast test that recognizes most neighbours in a mesh, also those in one plane, whose volumes are
  * 0 and would take long. h: a's plane. */
-static bool are_mere_neighbours(const fmb_triangle_plane *h, const fmb_cell *a, const fmb_cell *b,
-                                unsigned common, int shared)
+static bool are_mere_neighbours(const fmb_triangle_plane *h, const fmb_cell *a, unsigned of_a,
+                                const fmb_cell *b, unsigned of_b, int shared)
 {
     if (shared != 1 && shared != 2)
         return false;
     unsigned flip = shared == 1 ? 0 : 7;
     const double *p[3], *q[3];
-    list_corners_from(a, place_of_bit(common ^ flip), p);
-    list_corners_from(b, place_of_bit(fmb_cell_common(b, a) ^ flip), q);
+    list_corners_from(a, place_of_bit(of_a ^ flip), p);
+    list_corners_from(b, place_of_bit(of_b ^ flip), q);
     int k = steepest_axis(h);
     return shared == 1 ? are_apart_but_for_corner(k, p, q) : are_apart_but_for_edge(k, p, q);
 }
@@ -234,7 +243,7 @@ static bool are_mere_neighbours(const fmb_triangle_plane *h, const fmb_cell *a, 
 static bool are_others_on_one_side(const int side[3], int shared)
 {
     int sum = side[0] + side[1] + side[2];
-    return sum == 3 - shared || sum == shared - 3;
+    return sum != 0 && (sum == 3 - shared || sum == shared - 3);
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
@@ -244,17 +253,22 @@ fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_triangle_plane *p
                                   const fmb_cell *b, unsigned common)
 {
     const int shared = fmb_cell_count(common);
+    const unsigned of_b = fmb_cell_common(b, a);
     const fmb_mesh_how neither = shared > 0 ? FMB_MESH_SHARE : FMB_MESH_APART;
     int side_a[3], side_b[3];
-    if (are_mere_neighbours(plane, a, b, common, shared))
+    find_certain_sides(plane, b, of_b, side_b);
+    if (are_others_on_one_side(side_b, shared))
+        return neither;
+    if (are_mere_neighbours(plane, a, common, b, of_b, shared))
         return FMB_MESH_SHARE;
-    find_sides_of_plane(b, a, plane, side_b);
+    find_other_sides(plane, b, of_b, side_b);
     if (side_b[0] == 0 && side_b[1] == 0 && side_b[2] == 0)
         return decide_in_plane(a, b, shared);
     if (are_others_on_one_side(side_b, shared))
         return neither;
-    fmb_triangle_plane of_b = fmb_plane_of_cell(b);
-    find_sides_of_plane(a, b, &of_b, side_a);
+    fmb_triangle_plane plane_b = fmb_plane_of_cell(b);
+    find_certain_sides(&plane_b, a, common, side_a);
+    find_other_sides(&plane_b, a, common, side_a);
     if (are_others_on_one_side(side_a, shared))
         return neither;
     return decide_across_planes(a, side_a, b, side_b, shared);

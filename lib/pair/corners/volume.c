@@ -207,15 +207,9 @@ int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w
 
 /* ---- planes ---------------------------------------------------------------------------------- */
 
-/* What fmb_sign_of_determinant computes of s - p, q - p, r - p, in the same order. */
 int fmb_side_of_triangle_plane(const fmb_triangle_plane *h, const double *s)
 {
-    double det = 0, sum = 0;
-    for (int k = 0; k < 3; k++) {
-        double a = s[k] - h->p[k];
-        det += a * h->normal[k];
-        sum += fabs(a) * h->size[k];
-    }
+    double sum, det = fmb_plane_determinant(h, s, &sum);
     if (fabs(det) > 0x1p-50 * sum)
         return det > 0 ? 1 : -1;
     fmb_difference u = {s, h->p}, v = {h->q, h->p}, w = {h->r, h->p};

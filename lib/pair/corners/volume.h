@@ -53,8 +53,30 @@ static inline fmb_triangle_plane fmb_triangle_plane_of(const double *p, const do
     return h;
 }
 
-/* The side on which s is: fmb_sign_of_volume(p, q, r, s). */
+/* What fmb_sign_of_determinant computes of s - p, q - p, r - p, in the same order; *sum of absolute
+ * values. */
+static inline double fmb_plane_determinant(const fmb_triangle_plane *h, const double *s,
+                                           double *sum)
+{
+    double det = 0;
+    *sum = 0;
+    for (int k = 0; k < 3; k++) {
+        double a = s[k] - h->p[k];
+        det += a * h->normal[k];
+        *sum += fabs(a) * h->size[k];
+    }
+    return det;
+}
+
+/* The side on which s is: fmb_sign_of_volume(p, q, r, s). Below: 0, too, if doubles are not
+ * certain.
+ */
 int fmb_side_of_triangle_plane(const fmb_triangle_plane *h, const double *s);
+static inline int fmb_certain_side_of_plane(const fmb_triangle_plane *h, const double *s)
+{
+    double sum, det = fmb_plane_determinant(h, s, &sum), least = 0x1p-50 * sum;
+    return (det > least) - (det < -least);
+}
 
 /* The sign of det(q - p, r - p, unit vector k): seen along axis k, do p, q, r turn left? */
 int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double *r);
