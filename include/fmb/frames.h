@@ -8,10 +8,10 @@
  *
  * There are kernels for all frames with edges that are doubles in two and three dimensions, and, by
  * edges with all their axes, for two cuboids in four to eight (moving: to seven), for two simplices
- * in four to six, still or moving, and for one of each in four to six (moving: to five), if they
- * are neither so flat that one of their corners
- * is less than about 1e-9 of their size away from the plane of the others, nor larger than
- * 1e90 or smaller than 1e-90. Pairs with other frames are decided one at a time.
+ * in four to six, still or moving, and for a cuboid and a simplex in four to six (moving: to five),
+ * if they are neither so flat that one of their corners is less than about 1e-9 of their size away
+ * from the plane of the others, nor larger than 1e90 or smaller than 1e-90. Pairs with other frames
+ * are decided one at a time.
  *
  *   fmb_frames_new(3, n, frames, NULL, &set);
  *   fmb_pair_new(3, NULL, NULL, &k);
