@@ -9,7 +9,7 @@
  *   Theorem 2: if |H| = 1 + |E|, the row is minimal.
  * Between the two bounds, it is minimal if and only if the base rows of H have rank |H| - 1 in the
  * columns O. Kohler's bound, |H| <= 1 + |O|, follows from the first, and is used before the row is
- * made. Source: Imbert 1990 (doi 10.1016/B978-0-444-88771-9.50019-2), 1993.
+ * made. Proofs: docs/theory.md, theorem 13. Source: Imbert 1990, 1993 (docs/references.bib).
  *
  * A number to check: the 28 rows of chernikov.c.
  */
