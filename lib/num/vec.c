@@ -75,6 +75,16 @@ size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i)
     return mpz_sgn(v->z[i]) == 0 ? 0 : mpz_sizeinbase(v->z[i], 2);
 }
 
+size_t fmb_vec_most_bits(const fmb_vec *v, size_t from, size_t to)
+{
+    size_t most = 0;
+    for (size_t i = from; i < to; i++) {
+        size_t bits = fmb_vec_entry_bits(v, i);
+        most = bits > most ? bits : most;
+    }
+    return most;
+}
+
 double fmb_vec_entry_double(const fmb_vec *v, size_t i, int exponent)
 {
     long own = 0;

@@ -1,7 +1,6 @@
 /* program.c: sparse rows; see program.h. */
 #include "lp/model/program.h"
 
-#include <math.h>
 #include <string.h>
 
 void fmb_program_init(fmb_program *p, fmb_mem *mem, int n)
@@ -45,6 +44,11 @@ static fmb_status reserve_row(fmb_program *p)
     return FMB_OK;
 }
 
+static void fit_row_into_doubles(fmb_program_row *r)
+{
+    r->shift = r->value->z ? (int)fmb_vec_most_bits(r->value, 0, r->size + 1) : 0;
+}
+
 fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const int *place,
                            const fmb_vec *value, fmb_rel rel)
 {
@@ -53,7 +57,8 @@ fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const in
     FMB_TRY(FMB_GET(p->mem, column, size));
     for (size_t k = 0; k < size; k++)
         column[k] = place ? place[var[k]] : var[k];
-    p->row[p->m++] = (fmb_program_row){size, column, value, rel, false};
+    p->row[p->m++] = (fmb_program_row){size, column, value, rel, false, 0};
+    fit_row_into_doubles(&p->row[p->m - 1]);
     p->terms += size;
     p->any_strict = p->any_strict || rel == FMB_LT;
     return FMB_OK;
@@ -84,7 +89,7 @@ static fmb_status add_held_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec
     }
     v->s = words;
     p->own[p->m] = v;
-    p->row[p->m++] = (fmb_program_row){size, column, v, rel, false};
+    p->row[p->m++] = (fmb_program_row){size, column, v, rel, false, 0};
     p->terms += size;
     p->any_strict = p->any_strict || rel == FMB_LT;
     *value = v;
@@ -111,6 +116,7 @@ static fmb_status finish_held_row(fmb_program *p, fmb_vec *v, fmb_status st)
         st = fmb_vec_settle(v, entries, p->mem);
     else if (st == FMB_OK)
         fmb_vec_measure(v, entries);
+    fit_row_into_doubles(&p->row[p->m - 1]);
     if (st != FMB_OK)
         drop_last_row(p);
     return st;
@@ -122,10 +128,7 @@ fmb_status fmb_program_add_copy(fmb_program *p, size_t size, const int *column,
     fmb_vec *to = NULL;
     FMB_TRY(add_held_row(p, size, rel, &to));
     memcpy(p->row[p->m - 1].column, column, size * sizeof *column);
-    fmb_status st = fmb_vec_copy(to, value, size + 1, p->mem);
-    if (st != FMB_OK)
-        drop_last_row(p);
-    return st;
+    return finish_held_row(p, to, fmb_vec_copy(to, value, size + 1, p->mem));
 }
 
 fmb_status fmb_program_set_right(fmb_program *p, size_t i, const mpz_t b)
@@ -139,6 +142,7 @@ fmb_status fmb_program_set_right(fmb_program *p, size_t i, const mpz_t b)
     }
     FMB_TRY(fmb_vec_widen(v, size + 1, p->mem));
     mpz_set(v->z[size], b);
+    fit_row_into_doubles(&p->row[i]);
     return fmb_vec_settle(v, size + 1, p->mem);
 }
 
@@ -237,7 +241,5 @@ void fmb_program_add_product(const fmb_program *p, size_t i, mpz_t *x, mpz_t to)
 double fmb_program_double(const fmb_program *p, size_t i, size_t k)
 {
     const fmb_vec *v = p->row[i].value;
-    if (!v->z)
-        return (double)v->s[k];
-    return mpz_sizeinbase(v->z[k], 2) > 1023 ? mpz_sgn(v->z[k]) * INFINITY : mpz_get_d(v->z[k]);
+    return v->z ? fmb_vec_entry_double(v, k, p->row[i].shift) : (double)v->s[k];
 }

@@ -14,7 +14,8 @@ typedef struct fmb_program_row {
     int *column;          /* [size], increasing */
     const fmb_vec *value; /* [size + 1] */
     fmb_rel rel;
-    bool off; /* switched off for now */
+    bool off;  /* switched off for now */
+    int shift; /* in doubles the row is divided by 2^shift, the length of long numbers [bits] */
 } fmb_program_row;
 
 typedef struct fmb_program {
@@ -61,7 +62,7 @@ static inline void fmb_program_get(const fmb_program *p, size_t i, size_t k, mpz
     fmb_vec_get(p->row[i].value, k, out);
 }
 
-/* Term k of row i as a double, k == size: its right side. Infinite if beyond doubles. */
+/* Term k of row i / 2^shift as a double, k == size: its right side. 0 below 2^-1000. */
 double fmb_program_double(const fmb_program *p, size_t i, size_t k);
 
 #endif

@@ -200,7 +200,7 @@ fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fm
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)
 {
     for (size_t i = 0; i < f->m; i++)
-        f->right[i] = right ? ldexp(right[i], -f->exponent[i])
+        f->right[i] = right ? ldexp(right[i], f->p->row[i].shift - f->exponent[i])
                             : right_side_divided(&f->p->row[i], f->exponent[i]);
 }
 

@@ -170,9 +170,17 @@ fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *e
 
 /* ---- maximization ---------------------------------------------------------------------------- */
 
+static double divide_cost(const fmb_oracle *o, size_t j)
+{
+    long e = 0;
+    double x = mpz_get_d_2exp(&e, o->cost.z[j]);
+    return e - o->cost_bits < -1000 ? 0 : ldexp(x, (int)e - o->cost_bits);
+}
+
 /* cost as integers, with their common denominator. */
 static fmb_status take_cost(fmb_oracle *o, const fmb_weights *cost)
 {
+    o->cost_bits = 0;
     mpz_set_ui(o->cost_unit, 1);
     for (size_t j = 0; j < o->n; j++) {
         mpz_set_ui(o->cost.z[j], 0);
@@ -184,16 +192,27 @@ static fmb_status take_cost(fmb_oracle *o, const fmb_weights *cost)
         mpz_ptr at = o->cost.z[cost->index[k]];
         mpz_divexact(at, o->cost_unit, mpq_denref(cost->value[k]));
         mpz_mul(at, at, mpq_numref(cost->value[k]));
-        o->price[cost->index[k]] = mpq_get_d(cost->value[k]);
+        int bits = (int)mpz_sizeinbase(at, 2);
+        o->cost_bits = bits > o->cost_bits ? bits : o->cost_bits;
     }
+    for (size_t k = 0; k < cost->size; k++)
+        o->price[cost->index[k]] = divide_cost(o, cost->index[k]);
     return fmb_integers_settle(&o->cost, o->run->mem);
 }
 
-/* The price of place r, times the largest coefficient of its row. */
+/* The price of place r, of the cost and of the row as they are in doubles. */
+static double price_in_doubles(const fmb_oracle *o, size_t r)
+{
+    const fmb_vertex *v = &o->v;
+    int shift = fmb_vertex_is_unit(v, r) ? 0 : v->p->row[v->basis[r]].shift;
+    return fmb_vertex_rough_price(v, r, shift - o->cost_bits);
+}
+
+/* The same, times the largest coefficient of its row. */
 static double weigh_place(const fmb_oracle *o, size_t r)
 {
     const fmb_vertex *v = &o->v;
-    double largest = 0, price = fmb_vertex_rough_price(v, r);
+    double largest = 0, price = price_in_doubles(o, r);
     if (fmb_vertex_is_unit(v, r))
         return price;
     for (size_t k = 0; k < v->p->row[v->basis[r]].size; k++)
@@ -226,7 +245,7 @@ static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
     for (size_t r = 0; r < v->n; r++) {
         double weight = weigh_place(o, r);
         if (weight != 0)
-            add_place_to_price(o, r, fmb_vertex_rough_price(v, r) / fmax(most, fabs(weight)));
+            add_place_to_price(o, r, price_in_doubles(o, r) / fmax(most, fabs(weight)));
     }
     fmb_backend_place(o->backend, v->basis);
     FMB_TRY(fmb_backend_maximize(o->backend, o->price, h));

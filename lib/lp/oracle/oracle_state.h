@@ -25,7 +25,8 @@ struct fmb_oracle {
     size_t *hint;      /* [n] a guessed basis */
     fmb_integers cost; /* [n] the last cost, times cost_unit */
     mpz_t cost_unit;
-    double *price;      /* [n] the cost in doubles */
+    int cost_bits;      /* the longest of cost has so many bits */
+    double *price;      /* [n] cost / 2^cost_bits in doubles */
     double *lean;       /* [n] preferred cost of the next search in doubles, or NULL */
     bool leans;         /* the next search has one */
     bool tight;         /* each solution lies on some row: right sides are not lowered */

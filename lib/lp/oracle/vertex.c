@@ -94,12 +94,12 @@ fmb_status fmb_vertex_replace(fmb_vertex *v, size_t r, size_t i)
 
 /* ---- exact solutions ------------------------------------------------------------------------- */
 
-/* num / den in doubles. */
-static double ratio_as_double(const mpz_t num, const mpz_t den)
+/* num / den times 2^exponent in doubles. */
+static double ratio_as_double(const mpz_t num, const mpz_t den, int exponent)
 {
     long en, ed;
     double a = mpz_get_d_2exp(&en, num), b = mpz_get_d_2exp(&ed, den);
-    long shift = en - ed;
+    long shift = en - ed + exponent;
     return shift > 2000 ? a / b * INFINITY : shift < -2000 ? 0 : ldexp(a / b, (int)shift);
 }
 
@@ -116,7 +116,7 @@ fmb_status fmb_vertex_solve(fmb_vertex *v)
     FMB_TRY(fmb_factor_solve(v->factor, v->right.z, v->x.z, v->den));
     FMB_TRY(fmb_integers_settle(&v->x, v->run->mem));
     for (size_t j = 0; j < v->n; j++)
-        v->roughly[j] = ratio_as_double(v->x.z[j], v->den);
+        v->roughly[j] = ratio_as_double(v->x.z[j], v->den, 0);
     v->solved = true;
     return FMB_OK;
 }
@@ -135,9 +135,9 @@ fmb_status fmb_vertex_leave(fmb_vertex *v, size_t r, bool falls, fmb_integers *d
     return fmb_integers_settle(d, v->run->mem);
 }
 
-double fmb_vertex_rough_price(const fmb_vertex *v, size_t r)
+double fmb_vertex_rough_price(const fmb_vertex *v, size_t r, int exponent)
 {
-    return ratio_as_double(v->y.z[r], v->unit);
+    return ratio_as_double(v->y.z[r], v->unit, exponent);
 }
 
 /* ---- the rows -------------------------------------------------------------------------------- */
@@ -159,7 +159,8 @@ int fmb_vertex_slack_sign(fmb_vertex *v, size_t i)
 
 double fmb_vertex_slack(fmb_vertex *v, size_t i)
 {
-    return fmb_vertex_slack_sign(v, i) == 0 ? 0 : -ratio_as_double(v->sum, v->den);
+    return fmb_vertex_slack_sign(v, i) == 0 ? 0
+                                            : -ratio_as_double(v->sum, v->den, -v->p->row[i].shift);
 }
 
 /* The slack of row i in doubles. *sure: its sign is right. Each x, coefficient and product is right
@@ -167,20 +168,24 @@ double fmb_vertex_slack(fmb_vertex *v, size_t i)
  * + 1 terms add size + 1 roundings: together less than (size + 8) 2^-50 of the sum of absolute
  * values. An x that underflows has an error of 2^-1075 times 1 + 2^-51 besides, enlarged by its
  * coefficient; a product that does, one of 2^-1075: both are doubled. If x is integral (whole), as
- * coefficients are, and all sums are less than 2^53, nothing is rounded. */
+ * coefficients are, and all sums are less than 2^53, nothing is rounded; unless the row is divided.
+ * Of such a row numbers may be lost: then nothing is sure. */
 static double rough_slack(const fmb_program *p, size_t i, const double *roughly, bool whole,
                           bool *sure)
 {
     const fmb_program_row *row = &p->row[i];
     double slack = fmb_program_double(p, i, row->size), all = fabs(slack), weight = 1;
+    bool lost = slack == 0 && fmb_vec_sgn(row->value, row->size) != 0;
     for (size_t k = 0; k < row->size; k++) {
         double a = fmb_program_double(p, i, k), t = a * roughly[row->column[k]];
         slack -= t;
         all += fabs(t);
         weight += 1 + fabs(a);
+        lost |= a == 0;
     }
     double error = all * (double)(row->size + 8) * 0x1p-50 + weight * 0x1p-1073;
-    *sure = (all < 1e300 && fabs(slack) > error) || (whole && all < 0x1p53);
+    whole = whole && row->shift == 0;
+    *sure = !lost && ((all < 1e300 && fabs(slack) > error) || (whole && all < 0x1p53));
     return slack;
 }
 
@@ -247,7 +252,7 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
     bool whole = mpz_cmp_ui(den, 1) == 0;
     *holds = true;
     for (size_t j = 0; j < v->n; j++)
-        roughly[j] = ratio_as_double(x[j], den);
+        roughly[j] = ratio_as_double(x[j], den, 0);
     for (size_t i = 0; i < v->p->m && *holds; i++) {
         bool sure;
         fmb_rel rel = v->p->row[i].rel;

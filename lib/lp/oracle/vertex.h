@@ -73,9 +73,9 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
 /* Does the point x / den satisfy every strict row strictly? For a few points: computed exactly,
  * without polling. */
 bool fmb_vertex_is_point_inside(fmb_vertex *v, mpz_t *x, const mpz_t den);
-/* The price of place r, rounded. */
-double fmb_vertex_rough_price(const fmb_vertex *v, size_t r);
-/* b_i - a_i.x, rounded. */
+/* The price of place r times 2^exponent, rounded. */
+double fmb_vertex_rough_price(const fmb_vertex *v, size_t r, int exponent);
+/* b_i - a_i.x, rounded, of the row as it is in doubles (program.h). */
 double fmb_vertex_slack(fmb_vertex *v, size_t i);
 /* The sign of that, exactly. */
 int fmb_vertex_slack_sign(fmb_vertex *v, size_t i);

@@ -43,8 +43,8 @@ fmb_status fmb_backend_grow(fmb_backend *d);
 void fmb_backend_switch(fmb_backend *d, size_t i, bool on);
 /* Start the next call from this basis[n]. */
 void fmb_backend_place(fmb_backend *d, const size_t *basis);
-/* Use the right sides right[m]; NULL: those of the program. For iterative refinement (Gleixner,
- * Steffy, Wolter 2016). */
+/* Use the right sides right[m], of rows as they are in doubles (program.h); NULL: those of the
+ * program. For iterative refinement (Gleixner, Steffy, Wolter 2016). */
 void fmb_backend_shift(fmb_backend *d, const double *right);
 /* Until the next shift: lower the right sides of inequalities by `by` times the sum of the sizes of
  * a row's scaled coefficients. */

@@ -237,6 +237,53 @@ Test(certified, random_programs)
         }
 }
 
+/* Row i times 2^1100 + 1: numbers that are longer than doubles have exponents for. */
+static void add_long_row(bench *b, size_t i)
+{
+    const fmb_sysrow *r = fmb_system_row(b->c.s, i);
+    mpz_t *z = fmb_vec_block(b->n + 1, &b->mem), t;
+    mpz_init(t);
+    for (size_t k = 0; k <= r->nnz; k++) {
+        mpz_ptr at = z[k < r->nnz ? (size_t)r->var[k] : b->n];
+        fmb_vec_get(&r->val, k, at);
+        mpz_mul_2exp(t, at, 1100);
+        mpz_add(at, at, t);
+    }
+    cr_assert_eq(fmb_program_add_integers(&b->p, z, r->rel), FMB_OK);
+    mpz_clear(t);
+    fmb_vec_block_free(z, b->n + 1, &b->mem);
+}
+
+/* Exact pivots that all questions about some programs of the family take. */
+static uint64_t count_pivots(support_family family, void (*add)(bench *, size_t))
+{
+    uint64_t pivots = 0;
+    for (uint64_t seed = 0; seed < COUNT / 4; seed++) {
+        bench b;
+        fmb_oracle *o;
+        open_bench(&b, family, seed + 2000);
+        for (size_t i = 0; i < fmb_system_rows(b.c.s); i++)
+            add(&b, i);
+        cr_assert_eq(fmb_oracle_new(&b.run, &b.p, &o), FMB_OK);
+        ask_everything(&b, o);
+        pivots += b.run.stats.pivots;
+        fmb_oracle_free(o);
+        close_bench(&b);
+    }
+    return pivots;
+}
+
+/* Doubles guess as well about numbers that are too long for them. */
+Test(certified, long_rows)
+{
+    uint64_t few = 0, more = 0;
+    for (int family = 0; family < SUPPORT_FAMILIES; family++) {
+        few += count_pivots((support_family)family, add_row);
+        more += count_pivots((support_family)family, add_long_row);
+    }
+    cr_assert_leq(more, few + few / 2);
+}
+
 /* Half of the rows, then the others one by one, while rows come and go at random. */
 Test(certified, while_rows_change)
 {
