@@ -1,9 +1,9 @@
 /* contact_face.c: see contact_face.h.
  *
- * Everything is in the doubles of bodies.h. Vertices within 2^-40 reach (pair.h) of the farthest
- * along the normal belong to the face, as depth and normal may have such errors. The faces are then
- * projected to the plane perpendicular to the normal, where their corners have rounding errors
- * only, for which a tolerance of 2^-48 is plenty.
+ * All coordinates are the doubles of bodies.h. A vertex within 2^-40 reach (pair.h) of the farthest
+ * one along the normal belongs to the face, as depth and normal may have such errors. Both faces
+ * are projected to the plane perpendicular to the normal, where their corners have only rounding
+ * errors, far below the tolerance of 2^-48.
  */
 #include "pair/contact/contact_face.h"
 

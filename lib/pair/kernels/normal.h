@@ -46,8 +46,8 @@ static inline int normal_words(double error)
 /* Begin a normal whose numbers have so many words. */
 void fmb_normal_begin(int words, int dim, double error, normal *n);
 
-/* Put the vector with that number at place `at`, unless it is there. Are all minors of the first
- * at + 1 vectors 0? */
+/* Put vector `number` at place `at`, unless it is there already. Are all minors of the first at + 1
+ * vectors 0? */
 bool fmb_normal_put(int at, int number, const normal_vector *v, normal *n);
 
 /* n v as a double. */

@@ -10,16 +10,16 @@
 
 minors_lister FMB_MINORS_LIST;
 
-/* The corners of a simplex that are in none of these rows but have the others 0; a single one has
- * no edges. */
+/* The corners of a simplex whose barycentric coordinates in these rows are 0: they span the face. A
+ * single corner has no edges. */
 FMB_INLINE unsigned minors_corners_without(int dim, unsigned rows)
 {
     const unsigned all = (2U << dim) - 1, left = all & ~rows;
     return (left << 1 & all) | left >> dim;
 }
 
-/* A row that is open in some lanes goes to the list. It speaks of the coordinates `set` in the view
- * of a side, so it is perpendicular to its other edges, and to the columns of the other side. Its
+/* List a row that is open in some lanes. It uses the coordinates `set` in the view of `side`, so it
+ * is perpendicular to the other edges of that frame, and to the columns of the other one. Its
  * numbers are of the size of `reach`. */
 FMB_INLINE void minors_note_row(minors_kind d, int side, unsigned set, unsigned columns, lane gap,
                                 lane reach, lane error, fmb_open_rows *out)
@@ -36,7 +36,7 @@ FMB_INLINE void minors_note_row(minors_kind d, int side, unsigned set, unsigned 
     }
     fmb_open_row *row = &out->row[out->n++];
     const unsigned corners = minors_corners_without(d.dim, set);
-    const unsigned face = corners & (corners - 1) ? corners : 0; /* one has no edges */
+    const unsigned face = corners & (corners - 1) ? corners : 0; /* a corner has none */
     row->face[side] = (uint16_t)(d.from_simplex ? face : all & ~set);
     row->face[1 - side] = (uint16_t)(columns & all);
     row->face[1] = (uint16_t)(row->face[1] | drift);
@@ -54,7 +54,7 @@ static lane minors_list_sum(int k, const lane *factor, const lane *const *from, 
     return sum;
 }
 
-/* What minors_make makes of all columns. */
+/* Like minors_make, for all columns. */
 FMB_INLINE void minors_list_make(minors_kind d, const minors_view *v, int k,
                                  const minors_rows *rows, lane *to)
 {
@@ -105,7 +105,7 @@ FMB_INLINE lane minors_list_sign(minors_kind d, const minors_view *v, int k,
     return minors_list_sum(k, factor, rows->less, s);
 }
 
-/* From sign `from` on to `to`, but for columns that are used: the largest and the least. */
+/* The largest and the least of the signs from `from` up to `to`, without those of used columns. */
 FMB_INLINE minors_span minors_list_span(minors_kind d, const minors_view *v, int k,
                                         const minors_rows *rows, unsigned columns, int s, int from,
                                         int to, minors_span span)
@@ -124,8 +124,8 @@ FMB_INLINE unsigned minors_list_passed(minors_span span, lane error)
     return lane_bits(lane_less(lane_min(span.most, lane_of(0) - span.least), error));
 }
 
-/* A test that is passed, but for errors, by lanes that are wanted: faces of all corners that are
- * then on the plane, or nearly so, go to the list. */
+/* List a test that wanted lanes pass up to errors: the faces of all corners that lie on its plane,
+ * or nearly so. */
 FMB_INLINE void minors_note_test(minors_kind d, const minors_view *v, int side, int k,
                                  const minors_rows *rows, unsigned set, unsigned columns, int s,
                                  lane error, fmb_open_rows *out)
