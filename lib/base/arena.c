@@ -17,8 +17,9 @@ void fmb_arena_init(fmb_arena *a, fmb_mem *mem)
     *a = (fmb_arena){.mem = mem};
 }
 
-/* Move on to a chunk with room for bytes: the next one if it is large enough, else a new one. */
-static bool move_to_roomy_chunk(fmb_arena *a, size_t bytes)
+/* From a chunk with room for bytes: the next one if it is large enough, else a new one. Apart, as
+ * most calls need none of its registers. */
+static __attribute__((noinline)) void *get_from_roomy_chunk(fmb_arena *a, size_t bytes)
 {
     fmb_chunk *next = a->current ? a->current->next : a->first;
     if (!next || next->size < bytes) {
@@ -27,14 +28,14 @@ static bool move_to_roomy_chunk(fmb_arena *a, size_t bytes)
         size = size < bytes ? bytes : size;
         fmb_chunk *fresh = fmb_mem_get(a->mem, sizeof *fresh + size, 1);
         if (!fresh)
-            return false;
+            return NULL;
         *fresh = (fmb_chunk){.next = next, .size = size};
         *(a->current ? &a->current->next : &a->first) = fresh;
         next = fresh;
     }
     a->current = next;
-    a->at = 0;
-    return true;
+    a->at = bytes;
+    return next->data;
 }
 
 void *fmb_arena_get(fmb_arena *a, size_t count, size_t size)
@@ -45,11 +46,10 @@ void *fmb_arena_get(fmb_arena *a, size_t count, size_t size)
         return NULL;
     }
     bytes = (bytes + 15) & ~(size_t)15;
-    if ((!a->current || a->current->size - a->at < bytes) && !move_to_roomy_chunk(a, bytes))
-        return NULL;
-    void *p = a->current->data + a->at;
+    if (!a->current || a->current->size - a->at < bytes)
+        return get_from_roomy_chunk(a, bytes);
     a->at += bytes;
-    return p;
+    return a->current->data + a->at - bytes;
 }
 
 fmb_status fmb_arena_reserve(fmb_arena *a, void **p, size_t *capacity, size_t need, size_t size)

@@ -24,7 +24,8 @@ void *fmb_arena_get(fmb_arena *a, size_t count, size_t size);
  * memory is unused until the reset, so capacity doubles. Errors: MEMORY, LIMIT. */
 fmb_status fmb_arena_reserve(fmb_arena *a, void **p, size_t *capacity, size_t need, size_t size);
 #define FMB_ARENA_RESERVE(a, p, capacity, need)                                                    \
-    fmb_arena_reserve(a, (void **)(p), capacity, need, sizeof **(p))
+    ((need) <= *(capacity) ? FMB_OK                                                                \
+                           : fmb_arena_reserve(a, (void **)(p), capacity, need, sizeof **(p)))
 void fmb_arena_reset(fmb_arena *a);
 
 /* A fill level of the arena; fmb_arena_rewind takes back what was handed out beyond it. */

@@ -53,10 +53,11 @@ void fmb_mem_put(fmb_mem *m, void *p, size_t count, size_t size);
     ((p) = fmb_mem_zero(m, count, sizeof *(p)), (p) ? FMB_OK : fmb_mem_status(m))
 
 /* Grow *p, an array of *capacity elements, by doubling to hold at least need; the macro takes the
- * size of an element from the type of p. */
+ * size of an element from the type of p, and calls only if there is no room. */
 fmb_status fmb_mem_reserve(fmb_mem *m, void **p, size_t *capacity, size_t need, size_t size);
 #define FMB_RESERVE(m, p, capacity, need)                                                          \
-    fmb_mem_reserve(m, (void **)(p), capacity, need, sizeof **(p))
+    ((need) <= *(capacity) ? FMB_OK                                                                \
+                           : fmb_mem_reserve(m, (void **)(p), capacity, need, sizeof **(p)))
 
 /* Charge bytes allocated elsewhere; false, and nothing charged, if the limit forbids it. */
 bool fmb_mem_charge(fmb_mem *m, size_t bytes);

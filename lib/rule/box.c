@@ -23,9 +23,8 @@ static bool drop_row_slack_in_box(void *state, const fmb_view *w, size_t row)
 {
     bool started = fmb_view_column(w) >= 0;
     (void)state;
-    if (!started && fmb_view_rel(w, row) == FMB_LE && fmb_view_slack(w, row) == 0)
-        return true;
-    return fmb_view_slack(w, row) > 0;
+    int slack = fmb_view_slack(w, row);
+    return slack > 0 || (slack == 0 && !started && fmb_view_rel(w, row) == FMB_LE);
 }
 
 const fmb_rule fmb_rule_box = {

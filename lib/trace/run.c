@@ -33,7 +33,8 @@ static fmb_status note_first_stop(fmb_run *run, fmb_stop why)
     return FMB_LIMIT;
 }
 
-fmb_status fmb_run_poll_now(fmb_run *run)
+/* Apart, as most polls need none of its registers. */
+__attribute__((noinline)) fmb_status fmb_run_poll_now(fmb_run *run)
 {
     if (run->stop != FMB_STOP_DONE)
         return FMB_LIMIT;

@@ -39,11 +39,12 @@ fmb_status fmb_elim_init(fmb_elim *e, fmb_run *run, fmb_arena *arena, int n,
                     .var_words = fmb_set_words((size_t)n)};
     e->round = fmb_arena_get(arena, (size_t)n, sizeof *e->round);
     e->candidate = fmb_arena_get(arena, (size_t)n, sizeof *e->candidate);
+    e->candidates = fmb_arena_get(arena, e->var_words, sizeof *e->candidates);
     e->gone = fmb_arena_get(arena, e->var_words, sizeof *e->gone);
     e->filter = fmb_arena_get(arena, 1, sizeof *e->filter);
     if (e->filter)
         *e->filter = (fmb_filter){0};
-    if (!e->round || !e->candidate || !e->gone || !e->filter)
+    if (!e->round || !e->candidate || !e->candidates || !e->gone || !e->filter)
         return fmb_mem_status(arena->mem);
     memset(e->gone, 0, e->var_words * sizeof *e->gone);
     FMB_TRY(hire_rules(e, o));
@@ -122,16 +123,17 @@ static bool stands_with_both_signs(const fmb_elim *e, int var)
 /* Put the rows with var into the round, lower ones first, the others into the next live rows. */
 static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lowers)
 {
-    round->rows = *lowers = 0;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        for (size_t i = 0; i < e->live.size; i++)
-            if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)round->var) == sign)
-                round->row[round->rows++] = e->live.row[i];
-        *lowers = sign < 0 ? round->rows : *lowers;
+    FMB_TRY(FMB_ARENA_RESERVE(e->arena, &e->next.row, &e->next.capacity, e->live.size));
+    for (size_t i = 0; i < e->live.size; i++) {
+        int sign = fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)round->var);
+        if (sign <= 0)
+            *(sign < 0 ? &round->row[round->rows++] : &e->next.row[e->next.size++]) =
+                e->live.row[i];
     }
+    *lowers = round->rows;
     for (size_t i = 0; i < e->live.size; i++)
-        if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)round->var) == 0)
-            FMB_TRY(fmb_list_push(e, &e->next, e->live.row[i]));
+        if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)round->var) > 0)
+            round->row[round->rows++] = e->live.row[i];
     return FMB_OK;
 }
 
@@ -268,15 +270,12 @@ static fmb_status go_on_with_round(fmb_elim *e)
 }
 
 /* Is there a variable to eliminate, but none by substitution? */
-static bool is_ready_to_pair(const fmb_elim *e, const bool *drop)
+static bool is_ready_to_pair(const fmb_elim *e)
 {
     bool any = false;
     for (size_t i = 0; i < e->live.size; i++) {
         const fmb_derived *r = &e->row[e->live.row[i]];
-        bool named = false;
-        for (int j = fmb_elim_next_variable(e, r, 0); !named && j >= 0;
-             j = fmb_elim_next_variable(e, r, j + 1))
-            named = drop[j];
+        bool named = fmb_sets_meet(r->names, e->candidates, e->var_words);
         if (named && r->equality)
             return false;
         any |= named;
@@ -297,14 +296,15 @@ static bool grows_too_much(const fmb_elim *e, int var, double growth)
  * choice, so that rows dropped then do not count in it. */
 static fmb_status choose_next_variable(fmb_elim *e, const bool *drop, int *var)
 {
+    double growth;
     *var = -1;
-    if (!e->based && is_ready_to_pair(e, drop))
+    fmb_elim_note_candidates(e, drop);
+    if (!e->based && is_ready_to_pair(e))
         FMB_TRY(fmb_elim_start_histories(e));
     if (e->clash == FMB_NO_ROW)
-        FMB_TRY(fmb_elim_choose(e, drop, var));
+        FMB_TRY(fmb_elim_choose(e, var, &growth));
     if (e->clash != FMB_NO_ROW || *var < 0)
         return FMB_OK;
-    double growth = e->cheap_only || e->growth > 0 ? fmb_elim_growth(e, *var) : 0;
     if (e->cheap_only && growth > 0) {
         *var = -1;
     } else if (e->growth > 0 && grows_too_much(e, *var, growth)) {

@@ -45,6 +45,7 @@ fmb_status fmb_mark_set(fmb_mark *m, fmb_elim *e)
     m->keeps = 0;
     bool good = keep_copy(m, e, e->live.row, e->live.size * sizeof *e->live.row) &&
                 keep_copy(m, e, e->gone, e->var_words * sizeof *e->gone) &&
+                keep_copy(m, e, e->box.ended, e->var_words * sizeof *e->box.ended) &&
                 keep_copy(m, e, f->silent, f->silents * sizeof *f->silent) &&
                 keep_live_histories(m, e);
     for (int side = FMB_LOWER; good && side <= FMB_UPPER; side++)

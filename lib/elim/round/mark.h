@@ -17,7 +17,7 @@ typedef struct fmb_kept_copy {
 
 typedef struct fmb_mark {
     fmb_elim then; /* rounds change the pointees, except those copied below */
-    fmb_kept_copy kept[7 + FMB_MAX_RULES];
+    fmb_kept_copy kept[8 + FMB_MAX_RULES];
     int keeps;
     uint64_t **history; /* [live]: a re-base replaces those of live rows */
     const uint64_t **silent;

@@ -4,22 +4,24 @@
  * Unless a caller chooses, a variable in an equality comes first (substitution adds no rows), then
  * one of one sign only (its rows are just removed).
  */
+#include <string.h>
+
 #include "elim/round/round.h"
 #include "elim/rules/view.h"
 
 /* The occurrences of a variable in the live rows. */
 typedef struct occurrence {
-    size_t lower, upper;           /* rows of negative, positive coefficient */
+    uint32_t lower, upper;         /* rows of negative, positive coefficient */
     size_t lower_size, upper_size; /* nonzeros in them */
     bool in_equality;
 } occurrence;
 
-/* Count a row for each of its variables; only the order by fill needs its length. */
+/* Count a row for each candidate in it; only the order by fill needs its length. */
 static void count_row_occurrences(const fmb_elim *e, const fmb_derived *r, occurrence *c)
 {
     size_t size = e->order == FMB_ORDER_FILL ? (size_t)fmb_elim_count_variables(e, r) : 0;
     for (size_t w = 0; w < e->var_words; w++) {
-        for (uint64_t left = r->names[w]; left != 0; left &= left - 1) {
+        for (uint64_t left = r->names[w] & e->candidates[w]; left != 0; left &= left - 1) {
             size_t j = 64 * w + (size_t)__builtin_ctzll(left);
             bool lower = fmb_vec_sgn(&r->v, j) < 0;
             c[j].in_equality |= r->equality;
@@ -72,25 +74,28 @@ static occurrence count_occurrences(const fmb_elim *e, int var)
     return c;
 }
 
-double fmb_elim_growth(const fmb_elim *e, int var)
+static double growth_of(const occurrence *c)
 {
-    occurrence c = count_occurrences(e, var);
-    return c.in_equality ? 0 : cost_in_pairs(&c);
+    return c->in_equality ? 0 : cost_in_pairs(c);
 }
 
-/* List the variables with drop[var] that are not eliminated yet, in order; they are recognized
- * without marks. */
-static size_t list_candidates(fmb_elim *e, const bool *drop)
+void fmb_elim_note_candidates(fmb_elim *e, const bool *drop)
 {
-    int *candidate = e->candidate;
-    size_t n = 0;
+    for (size_t w = 0; w < e->var_words; w++)
+        e->candidates[w] = 0;
     for (int j = 0; j < e->n; j++)
-        candidate[j] = drop[j];
+        e->candidates[j / 64] |= (uint64_t)drop[j] << j % 64;
     for (int i = 0; i < e->rounds; i++)
-        candidate[e->round[i].var] = false;
-    for (int j = 0; j < e->n; j++)
-        if (candidate[j])
-            candidate[n++] = j;
+        e->candidates[e->round[i].var / 64] &= ~((uint64_t)1 << e->round[i].var % 64);
+}
+
+/* In increasing order. */
+static size_t list_candidates(fmb_elim *e)
+{
+    size_t n = 0;
+    for (size_t w = 0; w < e->var_words; w++)
+        for (uint64_t left = e->candidates[w]; left != 0; left &= left - 1)
+            e->candidate[n++] = (int)(64 * w) + __builtin_ctzll(left);
     return n;
 }
 
@@ -161,22 +166,33 @@ static fmb_status ask_chooser(fmb_elim *e, int *candidate, size_t n, int *var)
     return st;
 }
 
-fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var)
+static fmb_status choose_cheapest(fmb_elim *e, size_t candidates, int *var, double *growth)
 {
-    fmb_mem *mem = e->run->mem;
-    size_t n = (size_t)e->n, candidates = list_candidates(e, drop);
-    int *candidate = e->candidate;
-    *var = candidates > 0 ? candidate[0] : -1;
-    if (candidates < 2)
-        return FMB_OK;
-    if (e->chooser.choose)
-        return ask_chooser(e, candidate, candidates, var);
+    fmb_arena_place place = fmb_arena_tell(e->arena);
+    size_t n = (size_t)e->n;
     occurrence *c;
-    FMB_TRY(FMB_GET_ZERO(mem, c, n));
+    FMB_TRY(FMB_ARENA_GET(e->arena, c, n));
+    memset(c, 0, n * sizeof *c);
     fmb_run_count(e->run, 50 + e->live.size * (5 + 2 * n));
     for (size_t i = 0; i < e->live.size; i++)
         count_row_occurrences(e, &e->row[e->live.row[i]], c);
-    *var = find_cheapest_candidate(e, c, candidate, candidates);
-    fmb_mem_put(mem, c, n, sizeof *c);
+    *var = find_cheapest_candidate(e, c, e->candidate, candidates);
+    *growth = growth_of(&c[*var]);
+    fmb_arena_rewind(e->arena, place);
+    return FMB_OK;
+}
+
+fmb_status fmb_elim_choose(fmb_elim *e, int *var, double *growth)
+{
+    size_t candidates = list_candidates(e);
+    *var = candidates > 0 ? e->candidate[0] : -1;
+    if (candidates > 1 && !e->chooser.choose)
+        return choose_cheapest(e, candidates, var, growth);
+    if (candidates > 1)
+        FMB_TRY(ask_chooser(e, e->candidate, candidates, var));
+    if (candidates > 0) {
+        occurrence c = count_occurrences(e, *var);
+        *growth = growth_of(&c);
+    }
     return FMB_OK;
 }

@@ -4,10 +4,11 @@
 
 #include "elim/store/store.h"
 
-/* order.c: the variable to eliminate next among those with drop[var] and not yet done; -1: none. */
-fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var);
-/* How many rows more its pairs make than rows are removed with var; 0 if it is in an equality. */
-double fmb_elim_growth(const fmb_elim *e, int var);
+/* order.c: note in e->candidates the variables with drop[var] that are not eliminated yet. */
+void fmb_elim_note_candidates(fmb_elim *e, const bool *drop);
+/* The one of them to eliminate next; -1: none. *growth: how many rows more its pairs make than rows
+ * are removed with it; 0 if it is in an equality. */
+fmb_status fmb_elim_choose(fmb_elim *e, int *var, double *growth);
 
 /* base.c: make the box; a row that it refutes is a clash. Else rules drop rows, and the i-th live
  * row becomes base row i, its own history. */

@@ -79,6 +79,7 @@ static void scale_all_ends(fmb_elim *e)
             int bits = fmb_bits64(fmb_abs64(box->end[side][c]));
             box->bits = bits > box->bits ? bits : box->bits;
             box->any = true;
+            fmb_set_put(box->ended, c);
         }
     }
 }
@@ -148,6 +149,10 @@ fmb_status fmb_box_make(fmb_elim *e)
     box->any = false;
     box->budget = FMB_NO_ROW;
     box->hard = NULL;
+    if (!box->ended)
+        FMB_TRY(FMB_ARENA_GET(e->arena, box->ended, e->var_words));
+    for (size_t w = 0; w < e->var_words; w++)
+        box->ended[w] = 0;
     for (int side = FMB_LOWER; side <= FMB_UPPER; side++) {
         if (!box->row[side])
             box->row[side] = fmb_arena_get(e->arena, n, sizeof *box->row[side]);

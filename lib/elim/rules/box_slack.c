@@ -42,6 +42,8 @@ static int slack_sign_in_int128(const fmb_elim *e, const fmb_derived *r, int at)
 /* Has the box all ends where a.x is greatest (at = 1) or least (at = -1)? */
 static bool box_is_closed_at(const fmb_elim *e, const fmb_derived *r, int at)
 {
+    if (!fmb_set_is_inside(r->names, e->box.ended, e->var_words))
+        return false;
     for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1))
         if (e->box.row[fmb_vec_sgn(&r->v, (size_t)j) * at > 0][j] == FMB_NO_ROW)
             return false;

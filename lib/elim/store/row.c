@@ -19,16 +19,25 @@ static fmb_status open_row(fmb_elim *e, fmb_derived **out)
     return FMB_OK;
 }
 
+/* Note the variables of a combination, which are among those of its parents. */
+static void note_variables_left(const fmb_elim *e, fmb_derived *r, const fmb_derived *a,
+                                const fmb_derived *b)
+{
+    for (size_t w = 0; w < e->var_words; w++) {
+        uint64_t named = a->names[w] | b->names[w];
+        for (uint64_t left = named; left != 0; left &= left - 1)
+            if (fmb_vec_sgn(&r->v, 64 * w + (size_t)__builtin_ctzll(left)) == 0)
+                named &= ~(left & (0 - left));
+        r->names[w] = named;
+    }
+}
+
 static void note_variables_of_row(const fmb_elim *e, fmb_derived *r)
 {
     for (size_t w = 0; w < e->var_words; w++)
         r->names[w] = 0;
-    if (r->v.z)
-        for (int j = 0; j < e->n; j++)
-            r->names[j / 64] |= (uint64_t)(mpz_sgn(r->v.z[j]) != 0) << (j % 64);
-    else
-        for (int j = 0; j < e->n; j++)
-            r->names[j / 64] |= (uint64_t)(r->v.s[j] != 0) << (j % 64);
+    for (int j = 0; j < e->n; j++)
+        r->names[j / 64] |= (uint64_t)(fmb_vec_sgn(&r->v, (size_t)j) != 0) << (j % 64);
 }
 
 void fmb_elim_forget_row(fmb_elim *e, bool keep_history)
@@ -121,7 +130,7 @@ fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
         fmb_elim_forget_row(e, false);
         return st;
     }
-    note_variables_of_row(e, r);
+    note_variables_left(e, r, a, b);
     fmb_run_count(e->run, 200 + fmb_vec_work(&r->v, (size_t)e->n + 1));
     e->run->stats.rows_made++;
     return FMB_OK;

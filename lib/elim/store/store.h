@@ -91,6 +91,7 @@ typedef enum fmb_step {
 typedef struct fmb_box_rows {
     uint32_t *row[2]; /* [side][n]: the row of the end, or FMB_NO_ROW */
     int64_t *end[2];  /* [side][n]: unit times the end */
+    uint64_t *ended;  /* [var_words] variables with an end */
     int64_t unit;
     int bits;        /* bound on those of every end, unit and room */
     bool any;        /* is there an end? */
@@ -121,7 +122,8 @@ typedef struct fmb_elim {
     fmb_list live, next; /* live rows; live rows after this round */
     fmb_round *round;    /* [n], in the order made */
     int rounds;
-    int *candidate; /* [n] scratch of order.c */
+    int *candidate;       /* [n] scratch of order.c */
+    uint64_t *candidates; /* [var_words] variables to eliminate: fmb_elim_note_candidates */
 
     bool cheap_only; /* stop before rows would become more: set it after init */
     double growth;   /* > 0: over_budget before a variable without both box ends that makes more
@@ -170,14 +172,15 @@ static inline int fmb_elim_count_variables(const fmb_elim *e, const fmb_derived 
 {
     int n = 0;
     for (size_t w = 0; w < e->var_words; w++)
-        n += __builtin_popcountll(r->names[w]);
+        n += (int)fmb_ones64(r->names[w]);
     return n;
 }
 
 /* The only variable of the row, or -1. */
 static inline int fmb_elim_single_variable(const fmb_elim *e, const fmb_derived *r)
 {
-    return fmb_elim_count_variables(e, r) == 1 ? fmb_elim_next_variable(e, r, 0) : -1;
+    int j = fmb_elim_next_variable(e, r, 0);
+    return j < 0 || fmb_elim_next_variable(e, r, j + 1) >= 0 ? -1 : j;
 }
 
 /* Estimated bits of a minor of all remaining columns: their number times the mean bits of the live
