@@ -14,12 +14,12 @@ fmb_status fmb_history_number_base(fmb_elim *e)
 {
     e->words = fmb_set_words(e->bases);
     e->spare_history = NULL; /* its size is no longer right */
-    for (size_t i = 0; i < e->bases; i++) {
-        uint64_t *h = fmb_history_get(e);
-        if (!h)
-            return fmb_mem_status(e->arena->mem);
-        memset(h, 0, (e->words + e->var_words) * sizeof *h);
-        h[i / 64] = (uint64_t)1 << (i % 64);
+    size_t size = e->words + e->var_words;
+    uint64_t *h;
+    FMB_TRY(FMB_ARENA_GET(e->arena, h, e->bases * size));
+    memset(h, 0, e->bases * size * sizeof *h);
+    for (size_t i = 0; i < e->bases; i++, h += size) {
+        fmb_set_put(h, i);
         e->row[e->base[i]].history = h;
         FMB_TRY(fmb_run_poll(e->run));
     }

@@ -17,10 +17,11 @@ static bool is_tighter_bound(const fmb_elim *e, uint32_t x, uint32_t y, size_t c
     return order < 0 || (order == 0 && a->strict && !b->strict);
 }
 
-/* Find the tightest row of each end; drop_implied_bounds removes the others. */
-static void find_tightest_ends(fmb_elim *e)
+/* Find the tightest row of each end; drop_implied_bounds removes the others. False: no end. */
+static bool find_tightest_ends(fmb_elim *e)
 {
     fmb_box_rows *box = &e->box;
+    bool any = false;
     for (size_t i = 0; i < e->live.size; i++) {
         uint32_t r = e->live.row[i];
         int c = e->row[r].equality ? -1 : fmb_elim_single_variable(e, &e->row[r]);
@@ -29,7 +30,9 @@ static void find_tightest_ends(fmb_elim *e)
         uint32_t *end = &box->row[fmb_vec_sgn(&e->row[r].v, (size_t)c) > 0][c];
         if (*end == FMB_NO_ROW || is_tighter_bound(e, r, *end, (size_t)c))
             *end = r;
+        any = true;
     }
+    return any;
 }
 
 static void drop_implied_bounds(fmb_elim *e)
@@ -92,7 +95,8 @@ static bool is_budget_row(const fmb_elim *e, const fmb_derived *r, int64_t *room
 {
     bool open = false;
     int variables = 0;
-    if (r->equality || fmb_vec_is_wide(&r->v) ||
+    if (r->equality || !fmb_set_is_inside(r->names, e->box.ended, e->var_words) ||
+        fmb_vec_is_wide(&r->v) ||
         r->v.bits + e->box.bits + fmb_bits64((uint64_t)e->n + 1) > FMB_SMALL_BITS)
         return false;
     *room = r->v.s[e->n] * e->box.unit;
@@ -163,9 +167,8 @@ fmb_status fmb_box_make(fmb_elim *e)
         for (size_t c = 0; c < n; c++)
             box->row[side][c] = FMB_NO_ROW;
     }
-    if (!fmb_elim_keeps(e, FMB_STEP_BOUNDS))
+    if (!fmb_elim_keeps(e, FMB_STEP_BOUNDS) || !find_tightest_ends(e))
         return FMB_OK;
-    find_tightest_ends(e);
     drop_implied_bounds(e);
     for (int side = FMB_LOWER; side <= FMB_UPPER; side++)
         for (size_t c = 0; c < n; c++)

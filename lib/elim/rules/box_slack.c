@@ -39,11 +39,15 @@ static int slack_sign_in_int128(const fmb_elim *e, const fmb_derived *r, int at)
     return fmb_i128_sign(sum);
 }
 
+/* Has the box an end for each variable of the row? */
+static bool is_row_ended(const fmb_elim *e, const fmb_derived *r)
+{
+    return e->box.any && fmb_set_is_inside(r->names, e->box.ended, e->var_words);
+}
+
 /* Has the box all ends where a.x is greatest (at = 1) or least (at = -1)? */
 static bool box_is_closed_at(const fmb_elim *e, const fmb_derived *r, int at)
 {
-    if (!fmb_set_is_inside(r->names, e->box.ended, e->var_words))
-        return false;
     for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1))
         if (e->box.row[fmb_vec_sgn(&r->v, (size_t)j) * at > 0][j] == FMB_NO_ROW)
             return false;
@@ -107,7 +111,7 @@ static int slack_sign_with_budget(const fmb_elim *e, const fmb_derived *r)
 
 int fmb_box_slack(const fmb_elim *e, const fmb_derived *r)
 {
-    if (!e->box.any || makes_end_or_budget(e, r))
+    if (!is_row_ended(e, r) || makes_end_or_budget(e, r))
         return -1;
     if (e->box.budget != FMB_NO_ROW)
         return is_made_of_box_rows(e, r) ? -1 : slack_sign_with_budget(e, r);
@@ -116,7 +120,7 @@ int fmb_box_slack(const fmb_elim *e, const fmb_derived *r)
 
 bool fmb_box_refutes(const fmb_elim *e, const fmb_derived *r)
 {
-    if (!e->box.any || !box_is_closed_at(e, r, -1))
+    if (!is_row_ended(e, r) || !box_is_closed_at(e, r, -1))
         return false;
     int sign = slack_sign_at(e, r, -1);
     return sign < 0 || (sign == 0 && r->strict);

@@ -123,7 +123,7 @@ typedef struct fmb_elim {
     fmb_round *round;    /* [n], in the order made */
     int rounds;
     int *candidate;       /* [n] scratch of order.c */
-    uint64_t *candidates; /* [var_words] variables to eliminate: fmb_elim_note_candidates */
+    uint64_t *candidates; /* [var_words] variables still to eliminate, at the last choice */
 
     bool cheap_only; /* stop before rows would become more: set it after init */
     double growth;   /* > 0: over_budget before a variable without both box ends that makes more

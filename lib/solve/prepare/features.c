@@ -28,18 +28,18 @@ static bool holds_at_origin(const fmb_derived *r, size_t n)
     return side >= 0 && !(r->strict && side == 0) && !(r->equality && side != 0);
 }
 
-static size_t count_dropped_variables(const fmb_reduced_part *h, const fmb_derived *r)
+static size_t count_dropped_variables(const fmb_elim *e, const fmb_derived *r)
 {
     size_t dropped = 0;
-    for (int j = 0; j < h->e.n; j++)
-        dropped += h->drop[j] && fmb_vec_sgn(&r->v, (size_t)j) != 0;
+    for (size_t w = 0; w < e->var_words; w++)
+        dropped += fmb_ones64(r->names[w] & e->candidates[w]);
     return dropped;
 }
 
 static void note_row(const fmb_reduced_part *h, const fmb_derived *r, fmb_features *f)
 {
     size_t n = (size_t)h->e.n, nonzero = (size_t)fmb_elim_count_variables(&h->e, r);
-    size_t dropped = count_dropped_variables(h, r);
+    size_t dropped = count_dropped_variables(&h->e, r);
     f->entries += nonzero;
     f->equalities += r->equality;
     f->bounds += nonzero == 1;
@@ -83,7 +83,7 @@ fmb_features fmb_features_of(const fmb_reduced_part *reduced)
     note_remaining_rows(reduced, &f);
     f.least_growth = SIZE_MAX;
     for (int j = 0; j < reduced->e.n; j++)
-        if (reduced->drop[j])
+        if (fmb_set_has(reduced->e.candidates, (size_t)j))
             note_column(reduced, (size_t)j, &f);
     if (f.most_pairs == 0)
         f.least_growth = 0;

@@ -6,6 +6,8 @@
  */
 #include "solve/prepare/irredundant_rows.h"
 
+#include <string.h>
+
 #include "elim/store/derive.h"
 #include "lp/redundancy/irredundant.h"
 #include "solve/prepare/substituted_rows.h"
@@ -121,23 +123,17 @@ static void apply_sorting(remains *h, const fmb_sorting *sorting, const bool *ti
  * their claim needs the oracle. */
 static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, bool *inner)
 {
-    fmb_mem *mem = h->q->run.mem;
     size_t m = h->e->live.size;
-    fmb_sorting sorting = {.gone = fmb_mem_zero(mem, m, sizeof *sorting.gone),
-                           .kept = fmb_mem_zero(mem, m, sizeof *sorting.kept),
-                           .known = known};
-    bool *tight = fmb_mem_zero(mem, m, sizeof *tight);
-    fmb_status st = sorting.gone && sorting.kept && tight ? FMB_OK : fmb_mem_status(mem);
-    FMB_THEN(st, fmb_substituted_rows_sort(&h->q->run, &h->q->v->arena, &h->e->num, (size_t)h->p->n,
-                                           m, h->row, &sorting, h->q->claims ? NULL : tight));
-    if (st == FMB_OK)
-        apply_sorting(h, &sorting, tight);
+    bool *tight;
+    FMB_TRY(FMB_ARENA_GET(&h->q->v->arena, tight, 3 * m));
+    memset(tight, 0, 3 * m * sizeof *tight);
+    fmb_sorting sorting = {.gone = tight + m, .kept = tight + 2 * m, .known = known};
+    FMB_TRY(fmb_substituted_rows_sort(&h->q->run, &h->q->v->arena, &h->e->num, (size_t)h->p->n, m,
+                                      h->row, &sorting, h->q->claims ? NULL : tight));
+    apply_sorting(h, &sorting, tight);
     *inner = sorting.inner;
     *feasible = sorting.feasible;
-    fmb_mem_put(mem, sorting.gone, m, sizeof *sorting.gone);
-    fmb_mem_put(mem, sorting.kept, m, sizeof *sorting.kept);
-    fmb_mem_put(mem, tight, m, sizeof *tight);
-    return st;
+    return FMB_OK;
 }
 
 static bool are_all_fates_known(const remains *h)

@@ -15,8 +15,7 @@ static fmb_status eliminate_cheap_columns(fmb_reduced_part *h)
     h->e.cheap_only = true;
     FMB_THEN(st, fmb_elim_eliminate(&h->e, drop));
     for (size_t i = 0; st == FMB_OK && i < h->e.live.size; i++)
-        for (int j = 0; j < h->p->n; j++)
-            h->rest |= drop[j] && fmb_vec_sgn(&h->e.row[h->e.live.row[i]].v, (size_t)j) != 0;
+        h->rest |= fmb_sets_meet(h->e.row[h->e.live.row[i]].names, h->e.candidates, h->e.var_words);
     return st;
 }
 

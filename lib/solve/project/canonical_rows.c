@@ -265,11 +265,16 @@ static fmb_status check_row(echelon *e, const fmb_sysrow *r, bool *reduced)
         if (p < e->rank && e->pivot[p] == (size_t)r->var[k])
             return FMB_OK;
     }
-    mpz_set_ui(e->g, 0);
-    for (size_t k = 0; st == FMB_OK && k <= r->nnz && mpz_cmp_ui(e->g, 1) != 0; k++) {
-        fmb_vec_get(&r->val, k, e->a);
-        st = fmb_long_gcd(e->g, e->g, e->a, &e->poll);
+    if (!fmb_vec_is_wide(&r->val)) {
+        uint64_t g = 0;
+        for (size_t k = 0; k <= r->nnz && g != 1; k++)
+            g = fmb_gcd64(g, fmb_abs64(r->val.s[k]));
+        *reduced = g == 1;
+        return FMB_OK;
     }
+    mpz_set_ui(e->g, 0);
+    for (size_t k = 0; st == FMB_OK && k <= r->nnz && mpz_cmp_ui(e->g, 1) != 0; k++)
+        st = fmb_long_gcd(e->g, e->g, r->val.z[k], &e->poll);
     *reduced = mpz_cmp_ui(e->g, 1) == 0;
     return st;
 }
@@ -284,8 +289,9 @@ static fmb_status reduce_inequalities(echelon *e)
         bool reduced = true;
         if (r->rel != FMB_EQ)
             st = check_row(e, r, &reduced);
-        if (st == FMB_OK && !reduced)
-            st = reduce_inequality(e, i, z.z);
+        if (st != FMB_OK || reduced)
+            continue;
+        st = reduce_inequality(e, i, z.z);
         FMB_THEN(st, fmb_integers_settle(&z, mem));
     }
     fmb_integers_clear(&z, mem);

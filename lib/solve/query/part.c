@@ -18,10 +18,12 @@ static void connect_variables(const fmb_system *s, int *up, bool *used)
 {
     for (size_t i = 0; i < s->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(s, i);
+        int a = r->nnz > 0 ? component_root(up, r->var[0]) : 0;
         for (size_t k = 0; k < r->nnz; k++) {
-            int a = component_root(up, r->var[0]), b = component_root(up, r->var[k]);
+            int b = component_root(up, r->var[k]), least = a < b ? a : b;
             used[r->var[k]] = true;
-            up[a > b ? a : b] = a > b ? b : a;
+            up[a] = up[b] = least;
+            a = least;
         }
     }
 }

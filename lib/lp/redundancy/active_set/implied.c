@@ -15,6 +15,8 @@
 #include "lp/redundancy/active_set/implied.h"
 
 #include <math.h>
+#include <stddef.h>
+#include <string.h>
 
 #include "base/arrays.h"
 #include "base/ways.h"
@@ -119,13 +121,13 @@ typedef struct fmb_paused_sorting {
     fmb_scaled_rows rows;
     fmb_interior_point inside; /* of small rows */
     bool roomy;                /* some point is strictly inside, wherever it is */
-    fmb_active_set search[SEARCHES];
     size_t searches;
     size_t *open; /* [opens] rows that rays did not settle */
     size_t opens;
     bool *used;    /* [m] named in a proof that was accepted */
     fmb_team team; /* of several searches */
     fmb_sorting *out;
+    fmb_active_set search[SEARCHES]; /* [searches] */
 } sorting;
 
 /* ---- at sight -------------------------------------------------------------------------------- */
@@ -310,6 +312,8 @@ static fmb_status do_for_searches(sorting *s, fmb_team_job job)
 static fmb_status begin_searches(sorting *s)
 {
     s->searches = count_searches(s);
+    for (size_t k = 0; k < s->searches; k++)
+        s->search[k].run = NULL;
     FMB_TRY(s->searches > 1 ? fmb_team_open(&s->team, s->run, s->searches) : FMB_OK);
     FMB_TRY(do_for_searches(s, shoot_for_search));
     share_what_was_hit(s);
@@ -417,7 +421,8 @@ static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *
 {
     sorting *s;
     bool open = false;
-    FMB_TRY(FMB_GET_ZERO(run->mem, s, 1));
+    FMB_TRY(FMB_GET(run->mem, s, 1));
+    memset(s, 0, offsetof(sorting, search));
     s->run = run;
     s->out = out;
     fmb_status st = are_rows_small(m, row) ? prepare_small_rows(s, (size_t)n, m, row, &open)
