@@ -76,26 +76,21 @@ fmb_status fmb_insertion_break_line(fmb_cone *c, size_t row, size_t entry, size_
 
 /* ---- rows that separate rays ----------------------------------------------------------------- */
 
-static size_t list_rays_of_sign(const fmb_cone *c, fmb_insertion *s, size_t at, int sign)
-{
-    for (size_t i = 0; i < c->ray.size; i++)
-        if (s->sign[i] == sign)
-            s->ray[at++] = (uint32_t)i;
-    return at;
-}
-
-/* List the rays by their signs in the row. */
+/* List the rays by their signs in the row: those of the larger side, of the smaller one, zeros. */
 static void list_sides_of_row(const fmb_cone *c, fmb_insertion *s)
 {
-    s->large = list_rays_of_sign(c, s, 0, -1);
-    s->small = list_rays_of_sign(c, s, s->large, 1) - s->large;
-    s->small_is_positive = s->small <= s->large;
-    if (!s->small_is_positive) {
-        s->large = list_rays_of_sign(c, s, 0, 1);
-        s->small = list_rays_of_sign(c, s, s->large, -1) - s->large;
-    }
-    size_t signs = s->small + s->large;
-    s->zeros = list_rays_of_sign(c, s, signs, 0) - signs;
+    size_t rays[3] = {0}, at[3]; /* of each sign, from -1 on */
+    for (size_t i = 0; i < c->ray.size; i++)
+        rays[s->sign[i] + 1]++;
+    s->small_is_positive = rays[2] <= rays[0];
+    s->large = s->small_is_positive ? rays[0] : rays[2];
+    s->small = s->small_is_positive ? rays[2] : rays[0];
+    s->zeros = rays[1];
+    at[0] = s->small_is_positive ? 0 : s->large;
+    at[1] = s->small + s->large;
+    at[2] = s->small_is_positive ? s->large : 0;
+    for (size_t i = 0; i < c->ray.size; i++)
+        s->ray[at[s->sign[i] + 1]++] = (uint32_t)i;
 }
 
 static void give_bit_to_positives(fmb_cone *c)

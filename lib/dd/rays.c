@@ -66,7 +66,12 @@ fmb_status fmb_rays_drop_entry_of(fmb_rays *r, size_t c, size_t from, size_t to,
 {
     fmb_status st = FMB_OK;
     for (size_t i = from; i < to; i++) {
-        fmb_status dropped = fmb_vec_drop_entry(&r->v[i], r->width, c, mem);
+        fmb_vec *v = &r->v[i];
+        if (!v->z) {
+            v->s[c] = v->s[r->width - 1];
+            continue;
+        }
+        fmb_status dropped = fmb_vec_drop_entry(v, r->width, c, mem);
         st = st == FMB_OK ? dropped : st;
     }
     return st;

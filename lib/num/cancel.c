@@ -68,15 +68,20 @@ static fmb_status cancel_in_128_bits(fmb_vec *dst, const fmb_vec *a, const fmb_v
 static fmb_status cancel_in_int64(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
                                   size_t c, fmb_num *k)
 {
-    uint64_t ac = fmb_abs64(a->s[c]), bc = fmb_abs64(b->s[c]), g = fmb_gcd64(ac, bc);
-    int64_t p = (int64_t)(bc / g), q = (int64_t)(ac / g);
+    uint64_t ac = fmb_abs64(a->s[c]), bc = fmb_abs64(b->s[c]);
+    uint64_t g = ac == 1 || bc == 1 ? 1 : fmb_gcd64(ac, bc);
+    if (g > 1) {
+        ac /= g;
+        bc /= g;
+    }
+    int64_t p = (int64_t)bc, q = (int64_t)ac;
     int pa = fmb_bits64((uint64_t)p) + a->bits, qb = fmb_bits64((uint64_t)q) + b->bits;
     if ((a->s[c] > 0) == (b->s[c] > 0))
         q = -q;
     if ((pa > qb ? pa : qb) + 1 > FMB_SMALL_BITS)
         return cancel_in_128_bits(dst, a, b, n, p, q, k);
     fmb_vec_clear(dst, n, k->mem);
-    bool narrow = (bc / g | ac / g) >> 31 == 0 && a->bits <= 31 && b->bits <= 31;
+    bool narrow = (bc | ac) >> 31 == 0 && a->bits <= 31 && b->bits <= 31;
     uint64_t all =
         (narrow ? k->kernels->combine_narrow : k->kernels->combine)(dst->s, a->s, b->s, n, p, q);
     dst->bits = fmb_bits64(all);

@@ -10,6 +10,12 @@ static bool is_sum_small(const fmb_vec *a, const fmb_vec *b, size_t n)
 static fmb_i128 sum_of_small_products(const fmb_vec *a, const fmb_vec *b, size_t n)
 {
     fmb_i128 sum = fmb_i128_of(0);
+    if (a->bits + b->bits + fmb_bits64(n) < 64) {
+        int64_t word = 0;
+        for (size_t k = 0; k < n; k++)
+            word += a->s[k] * b->s[k];
+        return fmb_i128_of(word);
+    }
     for (size_t k = 0; k < n; k++)
         sum = fmb_i128_plus_product(sum, a->s[k], b->s[k]);
     return sum;

@@ -25,10 +25,8 @@ void fmb_num_clear(fmb_num *k)
     k->scratch = NULL;
 }
 
-void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem)
+void fmb_vec_release(fmb_vec *v, size_t n, fmb_mem *mem)
 {
-    if (!v->z)
-        return;
     fmb_vec_block_free(v->z, n, mem);
     fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
     v->z = NULL;
@@ -201,18 +199,24 @@ fmb_status fmb_vec_drop_entry(fmb_vec *v, size_t n, size_t c, fmb_mem *mem)
 
 /* The least nonzero entry is the first candidate divisor: mostly it is 1, or remainders are soon 0.
  */
-void fmb_vec_reduce_small(fmb_vec *v, size_t n)
+uint64_t fmb_content_small(const int64_t *s, size_t n, int *bits)
 {
     uint64_t g = UINT64_MAX, all = 0;
     for (size_t i = 0; i < n; i++) { /* 0 - 1 wraps: 0 counts as the largest */
-        uint64_t a = fmb_abs64(v->s[i]);
+        uint64_t a = fmb_abs64(s[i]);
         all |= a;
         g = a - 1 < g ? a - 1 : g;
     }
     g++;
     for (size_t i = 0; i < n && g > 1; i++)
-        g = fmb_gcd64(g, fmb_abs64(v->s[i]) % g);
-    v->bits = fmb_bits64(all);
+        g = fmb_gcd64(g, fmb_abs64(s[i]) % g);
+    *bits = fmb_bits64(all);
+    return g;
+}
+
+void fmb_vec_reduce_small(fmb_vec *v, size_t n)
+{
+    uint64_t g = fmb_content_small(v->s, n, &v->bits);
     if (g <= 1)
         return;
     for (size_t i = 0; i < n; i++)

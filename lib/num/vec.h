@@ -44,8 +44,13 @@ typedef struct fmb_num {
 fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only);
 void fmb_num_clear(fmb_num *k);
 
-/* Release z (not s); the vec is then small and undefined. */
-void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem);
+/* Release z (not s), of a wide vec or of any; the vec is then small and undefined. */
+void fmb_vec_release(fmb_vec *v, size_t n, fmb_mem *mem);
+static inline void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem)
+{
+    if (v->z)
+        fmb_vec_release(v, n, mem);
+}
 
 static inline bool fmb_vec_is_wide(const fmb_vec *v)
 {
@@ -135,5 +140,7 @@ void fmb_vec_block_free(mpz_t *z, size_t n, fmb_mem *mem);
 fmb_status fmb_vec_settle(fmb_vec *v, size_t n, fmb_mem *mem);
 /* Divide a small vec by its content and recompute `bits`. */
 void fmb_vec_reduce_small(fmb_vec *v, size_t n);
+/* The greatest common divisor of n integers, each below 2^62, 0 if all are 0; *bits as of a vec. */
+uint64_t fmb_content_small(const int64_t *s, size_t n, int *bits);
 
 #endif

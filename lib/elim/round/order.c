@@ -16,17 +16,31 @@ typedef struct occurrence {
     bool in_equality;
 } occurrence;
 
-/* Count a row for each candidate in it; only the order by fill needs its length. */
-static void count_row_occurrences(const fmb_elim *e, const fmb_derived *r, occurrence *c)
+/* Count the row for the candidates that are named, bits of the word from variable `from` on; only
+ * the order by fill needs its length. */
+static void count_row_occurrences(const fmb_derived *r, uint64_t named, size_t from, size_t size,
+                                  occurrence *c)
 {
-    size_t size = e->order == FMB_ORDER_FILL ? (size_t)fmb_elim_count_variables(e, r) : 0;
+    for (c += from; named != 0; named &= named - 1) {
+        int j = __builtin_ctzll(named);
+        bool lower = fmb_vec_sgn(&r->v, from + (size_t)j) < 0;
+        c[j].in_equality |= r->equality;
+        *(lower ? &c[j].lower : &c[j].upper) += 1;
+        *(lower ? &c[j].lower_size : &c[j].upper_size) += size;
+    }
+}
+
+static void count_all_occurrences(const fmb_elim *e, occurrence *c)
+{
+    const uint32_t *live = e->live.row;
+    size_t rows = e->live.size;
+    bool sizes = e->order == FMB_ORDER_FILL;
     for (size_t w = 0; w < e->var_words; w++) {
-        for (uint64_t left = r->names[w] & e->candidates[w]; left != 0; left &= left - 1) {
-            size_t j = 64 * w + (size_t)__builtin_ctzll(left);
-            bool lower = fmb_vec_sgn(&r->v, j) < 0;
-            c[j].in_equality |= r->equality;
-            *(lower ? &c[j].lower : &c[j].upper) += 1;
-            *(lower ? &c[j].lower_size : &c[j].upper_size) += size;
+        uint64_t candidates = e->candidates[w];
+        for (size_t i = 0; i < rows; i++) {
+            const fmb_derived *r = &e->row[live[i]];
+            size_t size = sizes ? (size_t)fmb_elim_count_variables(e, r) : 0;
+            count_row_occurrences(r, r->names[w] & candidates, 64 * w, size, c);
         }
     }
 }
@@ -126,16 +140,6 @@ static int find_cheapest_candidate(const fmb_elim *e, const occurrence *c, const
     return best;
 }
 
-static bool stands_in_equality(const fmb_elim *e, int var)
-{
-    for (size_t i = 0; i < e->live.size; i++) {
-        const fmb_derived *r = &e->row[e->live.row[i]];
-        if (r->equality && fmb_vec_sgn(&r->v, (size_t)var) != 0)
-            return true;
-    }
-    return false;
-}
-
 /* Substitution starts histories anew: if that is not allowed, equalities must be used up before the
  * first pairs. Then, if candidates are in equalities, only these are kept. */
 static size_t keep_candidates_in_equalities(const fmb_elim *e, int *candidate, size_t n)
@@ -145,7 +149,7 @@ static size_t keep_candidates_in_equalities(const fmb_elim *e, int *candidate, s
     for (int k = 0; k < e->workers; k++)
         one_base |= (e->worker[k].rule->flags & FMB_RULE_ONE_BASE) != 0;
     for (size_t i = 0; one_base && i < n; i++)
-        if (stands_in_equality(e, candidate[i]))
+        if (count_occurrences(e, candidate[i]).in_equality)
             candidate[left++] = candidate[i];
     return left > 0 ? left : n;
 }
@@ -174,8 +178,7 @@ static fmb_status choose_cheapest(fmb_elim *e, size_t candidates, int *var, doub
     FMB_TRY(FMB_ARENA_GET(e->arena, c, n));
     memset(c, 0, n * sizeof *c);
     fmb_run_count(e->run, 50 + e->live.size * (5 + 2 * n));
-    for (size_t i = 0; i < e->live.size; i++)
-        count_row_occurrences(e, &e->row[e->live.row[i]], c);
+    count_all_occurrences(e, c);
     *var = find_cheapest_candidate(e, c, e->candidate, candidates);
     *growth = growth_of(&c[*var]);
     fmb_arena_rewind(e->arena, place);

@@ -34,10 +34,13 @@ static void note_variables_left(const fmb_elim *e, fmb_derived *r, const fmb_der
 
 static void note_variables_of_row(const fmb_elim *e, fmb_derived *r)
 {
-    for (size_t w = 0; w < e->var_words; w++)
-        r->names[w] = 0;
-    for (int j = 0; j < e->n; j++)
-        r->names[j / 64] |= (uint64_t)(fmb_vec_sgn(&r->v, (size_t)j) != 0) << (j % 64);
+    size_t n = (size_t)e->n;
+    for (size_t w = 0; w < e->var_words; w++) {
+        uint64_t named = 0;
+        for (size_t j = 64 * w; j < n && j < 64 * w + 64; j++)
+            named |= (uint64_t)(fmb_vec_sgn(&r->v, j) != 0) << j % 64;
+        r->names[w] = named;
+    }
 }
 
 void fmb_elim_forget_row(fmb_elim *e, bool keep_history)
@@ -76,6 +79,7 @@ fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel)
         st = fmb_vec_widen(&r->v, n, e->run->mem);
     r->strict = rel == FMB_LT;
     r->equality = rel == FMB_EQ;
+    r->lowest = true;
     note_variables_of_row(e, r);
     if (st == FMB_OK && !fmb_elim_is_constant(e, r))
         st = fmb_list_push(e, &e->live, (uint32_t)e->rows);

@@ -406,14 +406,6 @@ static fmb_status take_turns(part_run *r, const fmb_choice *c)
     return st;
 }
 
-static bool has_long_numbers(const fmb_part *p)
-{
-    for (size_t i = 0; i < p->m; i++)
-        if (fmb_vec_is_wide(&p->row[i]))
-            return true;
-    return false;
-}
-
 /* The oracle shows infeasibility sooner than any engine does, and most engines need its answer
  * anyway. */
 static fmb_status find_whether_feasible(part_run *r)
@@ -427,7 +419,7 @@ static fmb_status run_portfolio(part_run *r)
 {
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
     fmb_status st = fmb_query_write_rows(r->q, r->part);
-    if (st == FMB_OK && !by_rays && !r->known && has_long_numbers(&r->q->parts.part[r->part]))
+    if (st == FMB_OK && !by_rays && !r->known && r->q->parts.part[r->part].wide)
         st = find_whether_feasible(r);
     r->reduced.e.run = &r->q->run; /* closed even after an error */
     if (is_open(st, r))

@@ -13,14 +13,6 @@ static int count_kept_variables(const fmb_reduced_part *h)
     return kept;
 }
 
-static bool has_wide_row(const fmb_part *p)
-{
-    for (size_t i = 0; i < p->m; i++)
-        if (fmb_vec_is_wide(&p->row[i]))
-            return true;
-    return false;
-}
-
 /* Does the row hold where all variables are 0? */
 static bool holds_at_origin(const fmb_derived *r, size_t n)
 {
@@ -77,8 +69,9 @@ static void note_column(const fmb_reduced_part *h, size_t j, fmb_features *f)
 
 fmb_features fmb_features_of(const fmb_reduced_part *reduced)
 {
-    fmb_features f = {.kept = count_kept_variables(reduced), .variables = reduced->p->n};
-    f.is_wide = has_wide_row(reduced->p);
+    fmb_features f = {.kept = count_kept_variables(reduced),
+                      .variables = reduced->p->n,
+                      .is_wide = reduced->p->wide};
     f.columns = (size_t)reduced->p->n - (size_t)reduced->e.rounds;
     note_remaining_rows(reduced, &f);
     f.least_growth = SIZE_MAX;

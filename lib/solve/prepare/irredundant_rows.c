@@ -92,9 +92,9 @@ static fmb_status list_live_rows(remains *h)
     FMB_TRY(FMB_ARENA_GET(arena, h->fate, m));
     for (size_t k = 0; k < m; k++) {
         fmb_derived *r = &h->e->row[h->e->live.row[k]];
-        fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e->n + 1, &h->e->num);
-        if (st != FMB_OK)
-            return st;
+        if (!r->lowest)
+            FMB_TRY(fmb_vec_reduce(&r->v, (size_t)h->e->n + 1, &h->e->num));
+        r->lowest = true;
         h->rel[k] = fmb_derived_rel(r);
         h->fate[k] = FMB_FATE_UNKNOWN;
         h->row[k] = (fmb_lp_row){&r->v, h->rel[k]};

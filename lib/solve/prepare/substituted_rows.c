@@ -24,14 +24,6 @@ typedef struct substitution {
     bool *tight; /* [m] implicit equalities; NULL: they are not searched for */
 } substitution;
 
-static bool are_rows_small(size_t m, const fmb_lp_row *row)
-{
-    for (size_t i = 0; i < m; i++)
-        if (fmb_vec_is_wide(row[i].v))
-            return false;
-    return true;
-}
-
 static bool has_equality(size_t m, const fmb_lp_row *row)
 {
     size_t i = 0;
@@ -213,7 +205,7 @@ fmb_status fmb_substituted_rows_sort(fmb_run *run, fmb_arena *arena, fmb_num *nu
                                      size_t m, const fmb_lp_row *row, fmb_sorting *out, bool *tight)
 {
     substitution t = {.n = n, .m = m, .from = row, .out = out, .tight = tight};
-    bool small = are_rows_small(m, row);
+    bool small = fmb_lp_rows_are_small(m, row);
     out->feasible = true;
     out->tight = 0;
     if (!small || !has_equality(m, row)) {

@@ -266,10 +266,8 @@ static fmb_status check_row(echelon *e, const fmb_sysrow *r, bool *reduced)
             return FMB_OK;
     }
     if (!fmb_vec_is_wide(&r->val)) {
-        uint64_t g = 0;
-        for (size_t k = 0; k <= r->nnz && g != 1; k++)
-            g = fmb_gcd64(g, fmb_abs64(r->val.s[k]));
-        *reduced = g == 1;
+        int bits;
+        *reduced = fmb_content_small(r->val.s, r->nnz + 1, &bits) == 1;
         return FMB_OK;
     }
     mpz_set_ui(e->g, 0);

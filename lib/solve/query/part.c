@@ -147,6 +147,8 @@ static fmb_status load_row_of_part(fmb_vec *v, const fmb_sysrow *r, const int *p
         for (size_t t = 0; t < r->nnz; t++)
             v->s[place[r->var[t]]] = r->val.s[t];
         v->s[n - 1] = r->val.s[r->nnz];
+        if (!k->wide_only && fmb_content_small(r->val.s, r->nnz + 1, &v->bits) <= 1)
+            return FMB_OK;
     }
     return fmb_vec_reduce(v, n, k);
 }
@@ -185,6 +187,7 @@ fmb_status fmb_part_load(fmb_part *p, const fmb_system *s, const int *place, fmb
         st = load_row_of_part(&p->row[i], fmb_system_row(s, p->source[i]), place, n, &k);
         if (st == FMB_OK && run->stop == FMB_STOP_DONE)
             st = fmb_run_poll_step(run, fmb_vec_is_wide(&p->row[i]));
+        p->wide |= fmb_vec_is_wide(&p->row[i]);
     }
     fmb_num_clear(&k);
     if (st != FMB_OK)

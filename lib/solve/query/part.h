@@ -20,6 +20,7 @@ typedef struct fmb_part {
     size_t *source; /* [m] rows of the system, increasing */
     fmb_vec *row;   /* [m], n + 1 entries: coefficients, right side; NULL until fmb_part_load */
     int64_t *words; /* [m][n + 1] their small entries */
+    bool wide;      /* some of them are wide (num/vec.h) */
 } fmb_part;
 
 typedef struct fmb_parts {

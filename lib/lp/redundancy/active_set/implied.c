@@ -407,14 +407,6 @@ static fmb_status prepare_long_rows(sorting *s, size_t n, size_t m, const fmb_lp
     return FMB_OK;
 }
 
-static bool are_rows_small(size_t m, const fmb_lp_row *row)
-{
-    for (size_t i = 0; i < m; i++)
-        if (row[i].v->z)
-            return false;
-    return true;
-}
-
 /* Whether there is a solution, rays, and searches that are ready; NULL: all is said. */
 static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *row,
                                fmb_sorting *out, sorting **opened)
@@ -425,8 +417,8 @@ static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *
     memset(s, 0, offsetof(sorting, search));
     s->run = run;
     s->out = out;
-    fmb_status st = are_rows_small(m, row) ? prepare_small_rows(s, (size_t)n, m, row, &open)
-                                           : prepare_long_rows(s, (size_t)n, m, row, &open);
+    fmb_status st = fmb_lp_rows_are_small(m, row) ? prepare_small_rows(s, (size_t)n, m, row, &open)
+                                                  : prepare_long_rows(s, (size_t)n, m, row, &open);
     if (open && st == FMB_OK)
         st = begin_searches(s);
     if (open && st == FMB_OK)
