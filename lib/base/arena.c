@@ -17,8 +17,7 @@ void fmb_arena_init(fmb_arena *a, fmb_mem *mem)
     *a = (fmb_arena){.mem = mem};
 }
 
-/* From a chunk with room for bytes: the next one if it is large enough, else a new one. Apart, as
- * most calls need none of its registers. */
+/* From the next chunk if it is large enough, else a new one. Apart, as most calls need neither. */
 static __attribute__((noinline)) void *get_from_roomy_chunk(fmb_arena *a, size_t bytes)
 {
     fmb_chunk *next = a->current ? a->current->next : a->first;

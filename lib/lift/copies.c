@@ -31,9 +31,8 @@ fmb_status fmb_lift_add_answer(fmb_system *lift, const fmb_system *s)
 fmb_status fmb_lift_add_fresh(fmb_system *lift, const char *name, size_t k, int *index)
 {
     size_t room = strlen(name) + 24 + (size_t)fmb_system_dim(lift);
-    char *fresh = fmb_mem_get(&lift->mem, room, 1);
-    if (!fresh)
-        return fmb_mem_status(&lift->mem);
+    char *fresh;
+    FMB_TRY(FMB_GET(&lift->mem, fresh, room));
     int n = k > 0 ? snprintf(fresh, room, "%s_%zu", name, k) : snprintf(fresh, room, "%s", name);
     for (; fmb_system_find(lift, fresh) >= 0; n++)
         memcpy(fresh + n, "_", 2);

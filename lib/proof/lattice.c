@@ -79,8 +79,7 @@ static fmb_status add_face(faces_of_level *at, const uint64_t *set, size_t words
     size_t *slot = st == FMB_OK ? find_slot_of_face(at, set, words) : NULL;
     if (!slot || *slot > 0)
         return st;
-    st =
-        fmb_mem_reserve(mem, (void **)&at->set, &at->capacity, (at->size + 1) * words, sizeof *set);
+    st = FMB_RESERVE(mem, &at->set, &at->capacity, (at->size + 1) * words);
     if (st != FMB_OK)
         return st;
     memcpy(at->set + at->size * words, set, words * sizeof *set);

@@ -23,12 +23,6 @@ static int count_elements(const uint64_t *set, size_t words)
     return n;
 }
 
-static void drop_pairs_beyond_kohler(void *state, const fmb_view *w, size_t i, uint64_t *drop)
-{
-    (void)state;
-    fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop);
-}
-
 /* |E u (I n O)|: E lies in O. */
 static int count_possibly_eliminated(const fmb_view *w, size_t row, const uint64_t *effective,
                                      size_t words)
@@ -61,6 +55,6 @@ const fmb_rule fmb_rule_imbert = {
     .name = "imbert",
     .source = "Imbert1993",
     .flags = FMB_RULE_NEEDS_HISTORY,
-    .drop_pairs = drop_pairs_beyond_kohler,
+    .drop_pairs = fmb_kohler_drop_pairs,
     .drop_row = drop_row_unless_minimal,
 };

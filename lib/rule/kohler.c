@@ -13,7 +13,7 @@
  */
 #include "rule/rule_private.h"
 
-static void drop_pairs_of_long_history(void *state, const fmb_view *w, size_t i, uint64_t *drop)
+void fmb_kohler_drop_pairs(void *state, const fmb_view *w, size_t i, uint64_t *drop)
 {
     (void)state;
     fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop);
@@ -23,5 +23,5 @@ const fmb_rule fmb_rule_kohler = {
     .name = "kohler",
     .source = "Kohler1967",
     .flags = FMB_RULE_NEEDS_HISTORY,
-    .drop_pairs = drop_pairs_of_long_history,
+    .drop_pairs = fmb_kohler_drop_pairs,
 };

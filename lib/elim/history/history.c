@@ -40,20 +40,17 @@ fmb_status fmb_history_join(fmb_elim *e, fmb_derived *r, const fmb_derived *p, c
     return FMB_OK;
 }
 
-static void add_variables_of_row(const fmb_elim *e, const fmb_derived *r, uint64_t *set)
-{
-    for (size_t w = 0; w < e->var_words; w++)
-        set[w] |= r->names[w];
-}
-
 /* Imbert's I is computed anew from the base rows: the union of the parents' I is wrong, since a
  * variable that vanished by chance can come back. */
 void fmb_history_implicit(const fmb_elim *e, const fmb_derived *r, uint64_t *out)
 {
     memset(out, 0, e->var_words * sizeof *out);
     for (size_t w = 0; w < e->words; w++)
-        for (uint64_t left = r->history[w]; left != 0; left &= left - 1)
-            add_variables_of_row(e, &e->row[e->base[w * 64 + (size_t)__builtin_ctzll(left)]], out);
+        for (uint64_t left = r->history[w]; left != 0; left &= left - 1) {
+            const uint64_t *names = e->row[e->base[w * 64 + (size_t)__builtin_ctzll(left)]].names;
+            for (size_t k = 0; k < e->var_words; k++)
+                out[k] |= names[k];
+        }
     for (size_t w = 0; w < e->var_words; w++)
         out[w] &= ~(r->names[w] | r->history[e->words + w]);
 }

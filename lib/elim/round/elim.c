@@ -37,15 +37,12 @@ fmb_status fmb_elim_init(fmb_elim *e, fmb_run *run, fmb_arena *arena, int n,
                     .chooser = o->chooser,
                     .clash = FMB_NO_ROW,
                     .var_words = fmb_set_words((size_t)n)};
-    e->round = fmb_arena_get(arena, (size_t)n, sizeof *e->round);
-    e->candidate = fmb_arena_get(arena, (size_t)n, sizeof *e->candidate);
-    e->candidates = fmb_arena_get(arena, e->var_words, sizeof *e->candidates);
-    e->gone = fmb_arena_get(arena, e->var_words, sizeof *e->gone);
-    e->filter = fmb_arena_get(arena, 1, sizeof *e->filter);
-    if (e->filter)
-        *e->filter = (fmb_filter){0};
-    if (!e->round || !e->candidate || !e->candidates || !e->gone || !e->filter)
-        return fmb_mem_status(arena->mem);
+    FMB_TRY(FMB_ARENA_GET(arena, e->round, (size_t)n));
+    FMB_TRY(FMB_ARENA_GET(arena, e->candidate, (size_t)n));
+    FMB_TRY(FMB_ARENA_GET(arena, e->candidates, e->var_words));
+    FMB_TRY(FMB_ARENA_GET(arena, e->gone, e->var_words));
+    FMB_TRY(FMB_ARENA_GET(arena, e->filter, 1));
+    *e->filter = (fmb_filter){0};
     memset(e->gone, 0, e->var_words * sizeof *e->gone);
     FMB_TRY(hire_rules(e, o));
     return fmb_run_open_num(run, &e->num, (size_t)n + 1, o->wide_only);

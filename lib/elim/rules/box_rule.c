@@ -6,6 +6,8 @@
  */
 #include "elim/rules/box_rule.h"
 
+#include <string.h>
+
 #include "num/gcd.h"
 
 /* Is the bound of row x on variable c tighter than that of y (same side)? */
@@ -153,20 +155,16 @@ fmb_status fmb_box_make(fmb_elim *e)
     box->any = false;
     box->budget = FMB_NO_ROW;
     box->hard = NULL;
+    for (int side = FMB_LOWER; !box->ended && side <= FMB_UPPER; side++) {
+        FMB_TRY(FMB_ARENA_GET(e->arena, box->row[side], n));
+        FMB_TRY(FMB_ARENA_GET(e->arena, box->end[side], n));
+    }
     if (!box->ended)
         FMB_TRY(FMB_ARENA_GET(e->arena, box->ended, e->var_words));
-    for (size_t w = 0; w < e->var_words; w++)
-        box->ended[w] = 0;
-    for (int side = FMB_LOWER; side <= FMB_UPPER; side++) {
-        if (!box->row[side])
-            box->row[side] = fmb_arena_get(e->arena, n, sizeof *box->row[side]);
-        if (!box->end[side])
-            box->end[side] = fmb_arena_get(e->arena, n, sizeof *box->end[side]);
-        if (!box->row[side] || !box->end[side])
-            return fmb_mem_status(e->arena->mem);
+    memset(box->ended, 0, e->var_words * sizeof *box->ended);
+    for (int side = FMB_LOWER; side <= FMB_UPPER; side++)
         for (size_t c = 0; c < n; c++)
             box->row[side][c] = FMB_NO_ROW;
-    }
     if (!fmb_elim_keeps(e, FMB_STEP_BOUNDS) || !find_tightest_ends(e))
         return FMB_OK;
     drop_implied_bounds(e);

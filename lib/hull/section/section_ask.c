@@ -108,11 +108,8 @@ static fmb_status make_room_for_section(fmb_section *c)
     FMB_TRY(FMB_ARENA_GET(&c->arena, c->kept, d));
     for (size_t i = 0; i < d; i++)
         c->base[i] = (fmb_vec){0};
-    for (size_t i = 0; i < d; i++) {
-        c->base[i].s = fmb_arena_get(&c->arena, d, sizeof(int64_t));
-        if (!c->base[i].s)
-            return fmb_mem_status(c->run->mem);
-    }
+    for (size_t i = 0; i < d; i++)
+        FMB_TRY(FMB_ARENA_GET(&c->arena, c->base[i].s, d));
     return fmb_integers_init(&c->w, d, c->run->mem);
 }
 

@@ -88,9 +88,8 @@ fmb_status fmb_support_keep_images(fmb_support *s)
 
 fmb_status fmb_support_use_symmetry(fmb_support *s, fmb_group *group)
 {
-    fmb_symmetry *y = fmb_mem_zero(s->run->mem, 1, sizeof *y);
-    if (!y)
-        return fmb_mem_status(s->run->mem);
+    fmb_symmetry *y;
+    FMB_TRY(FMB_GET_ZERO(s->run->mem, y, 1));
     s->symmetry = y;
     y->group = *group;
     *group = (fmb_group){0};

@@ -37,7 +37,7 @@ fmb_status fmb_scan_quoted(fmb_cursor *c, fmb_room *room, fmb_span *out)
         c->at++;
         if (b == '"')
             break;
-        FMB_TRY(fmb_mem_reserve(c->mem, (void **)&room->p, &room->capacity, n + 1, 1));
+        FMB_TRY(FMB_RESERVE(c->mem, &room->p, &room->capacity, n + 1));
         char byte = (char)(unsigned char)b;
         if (b == '\\')
             FMB_TRY(scan_name_escape(c, &byte));

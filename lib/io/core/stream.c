@@ -12,7 +12,7 @@ typedef struct fmb_bytes {
 static fmb_status read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *mem)
 {
     while (b->size <= most) {
-        FMB_TRY(fmb_mem_reserve(mem, (void **)&b->p, &b->capacity, b->size + (1 << 14), 1));
+        FMB_TRY(FMB_RESERVE(mem, &b->p, &b->capacity, b->size + (1 << 14)));
         size_t n = fread(b->p + b->size, 1, b->capacity - b->size, in);
         b->size += n;
         if (n == 0)

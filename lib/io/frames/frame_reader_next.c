@@ -16,7 +16,7 @@ static fmb_status copy_pair_id_as_json(void *reader, fmb_cursor *c)
     const char *p = c->at;
     FMB_TRY(fmb_json_skip(c));
     size_t n = (size_t)(c->at - p);
-    FMB_TRY(fmb_mem_reserve(&r->mem, (void **)&r->id, &r->id_capacity, n + 1, 1));
+    FMB_TRY(FMB_RESERVE(&r->mem, &r->id, &r->id_capacity, n + 1));
     memcpy(r->id, p, n);
     r->id[n] = '\0';
     r->line.id = r->id;
@@ -124,7 +124,7 @@ static fmb_status fetch_line_of_stream(fmb_frame_reader *r)
     for (r->size = 0; more;) {
         size_t n = r->size < LEAST ? LEAST : r->size < MOST ? r->size : MOST;
         FMB_TRY(fmb_frame_reader_poll(r));
-        FMB_TRY(fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + n, 1));
+        FMB_TRY(FMB_RESERVE(&r->mem, &r->text, &r->capacity, r->size + n));
         size_t got = fmb_fetch_part_of_line(r->in, r->text + r->size, n);
         r->size += got;
         more = got > 0 && r->text[r->size - 1] != '\n';

@@ -22,7 +22,7 @@ static fmb_status fetch_bytes(fmb_frame_reader *r, size_t n)
         size_t most = n - r->size < PORTION ? n - r->size : PORTION;
         got = 0;
         st = fmb_frame_reader_poll(r);
-        FMB_THEN(st, fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + most, 1));
+        FMB_THEN(st, FMB_RESERVE(&r->mem, &r->text, &r->capacity, r->size + most));
         if (st == FMB_OK)
             got = fread(r->text + r->size, 1, most, r->in);
     }

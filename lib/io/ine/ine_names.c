@@ -37,7 +37,7 @@ static const char *read_rest_of_comment(fmb_cursor *c, fmb_room *room, fmb_statu
     fmb_span text;
     *st = fmb_scan_quoted(c, room, &text);
     if (*st == FMB_OK)
-        *st = fmb_mem_reserve(c->mem, (void **)&room->p, &room->capacity, text.n + 1, 1);
+        *st = FMB_RESERVE(c->mem, &room->p, &room->capacity, text.n + 1);
     fmb_skip_blanks(c);
     if (*st == FMB_OK && (fmb_peek(c) == '\n' || fmb_peek(c) < 0)) {
         room->p[text.n] = '\0';

@@ -36,7 +36,7 @@ fmb_status fmb_program_variable(fmb_program_draft *p, fmb_span name, int *j)
 
 fmb_status fmb_program_row(fmb_program_draft *p, fmb_span name, bool new, size_t *i)
 {
-    FMB_TRY(fmb_mem_reserve(p->c->mem, (void **)&p->name, &p->name_capacity, name.n + 1, 1));
+    FMB_TRY(FMB_RESERVE(p->c->mem, &p->name, &p->name_capacity, name.n + 1));
     memcpy(p->name, name.p, name.n);
     p->name[name.n] = '\0';
     int known = fmb_names_find(&p->rows, p->name);

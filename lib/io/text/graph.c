@@ -34,9 +34,8 @@ static fmb_status open_graph(graph *g, const fmb_system *s)
 static fmb_status lengthen_name(fmb_system *s, int j, fmb_mem *mem)
 {
     size_t n = strlen(fmb_system_name(s, j)), room = n + (size_t)fmb_system_dim(s) + 2;
-    char *name = fmb_mem_get(mem, room, 1);
-    if (!name)
-        return fmb_mem_status(mem);
+    char *name;
+    FMB_TRY(FMB_GET(mem, name, room));
     memcpy(name, fmb_system_name(s, j), n + 1);
     for (; fmb_system_find(s, name) >= 0; n++)
         memcpy(name + n, "'", 2);

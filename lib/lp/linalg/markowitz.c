@@ -14,12 +14,8 @@ static fmb_status open_strips(fmb_strips *l, fmb_arena *arena, size_t size, size
     FMB_TRY(FMB_ARENA_GET(arena, l->size, size));
     FMB_TRY(FMB_ARENA_GET(arena, l->room, size));
     memset(l->size, 0, size * sizeof *l->size);
-    fmb_status st =
-        fmb_arena_reserve(arena, (void **)&l->entry, &l->entry_room, 2 * entries, sizeof(int));
-    if (st == FMB_OK && values)
-        st = fmb_arena_reserve(arena, (void **)&l->value, &l->value_room, 2 * entries,
-                               sizeof(fmb_number));
-    return st;
+    FMB_TRY(FMB_ARENA_RESERVE(arena, &l->entry, &l->entry_room, 2 * entries));
+    return values ? FMB_ARENA_RESERVE(arena, &l->value, &l->value_room, 2 * entries) : FMB_OK;
 }
 
 /* Make room for `more` entries in list i: a list without room moves to the end of the pool. */
@@ -28,13 +24,9 @@ static fmb_status reserve_list(fmb_strips *l, fmb_arena *arena, int i, int more)
     if (l->size[i] + more <= l->room[i])
         return FMB_OK;
     size_t size = (size_t)l->size[i], room = 2 * (size + (size_t)more);
-    fmb_status st =
-        fmb_arena_reserve(arena, (void **)&l->entry, &l->entry_room, l->used + room, sizeof(int));
-    if (st == FMB_OK && l->value)
-        st = fmb_arena_reserve(arena, (void **)&l->value, &l->value_room, l->used + room,
-                               sizeof(fmb_number));
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(FMB_ARENA_RESERVE(arena, &l->entry, &l->entry_room, l->used + room));
+    if (l->value)
+        FMB_TRY(FMB_ARENA_RESERVE(arena, &l->value, &l->value_room, l->used + room));
     memcpy(l->entry + l->used, l->entry + l->start[i], size * sizeof *l->entry);
     if (l->value)
         memcpy(l->value + l->used, l->value + l->start[i], size * sizeof *l->value);

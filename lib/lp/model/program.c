@@ -37,8 +37,7 @@ static fmb_status reserve_row(fmb_program *p)
     size_t old = p->own_capacity;
     FMB_TRY(FMB_RESERVE(p->mem, &p->row, &p->capacity, p->m + 1));
     if (p->own && p->m == old) {
-        FMB_TRY(fmb_mem_reserve(p->mem, (void **)&p->own, &p->own_capacity, p->m + 1,
-                                sizeof(fmb_vec *)));
+        FMB_TRY(FMB_RESERVE(p->mem, &p->own, &p->own_capacity, p->m + 1));
         memset(p->own + old, 0, (p->own_capacity - old) * sizeof(fmb_vec *));
     }
     return FMB_OK;

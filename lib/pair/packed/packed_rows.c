@@ -252,8 +252,7 @@ static void ask_band(const all_query *x, band *w)
 /* Make room for the pairs of another word. */
 static fmb_status make_room_for_word(band *w, bool unknown)
 {
-    return fmb_mem_reserve(&w->mem, (void **)&w->found[unknown], &w->capacity[unknown],
-                           w->count[unknown] + 64, sizeof(fmb_frames_pair));
+    return FMB_RESERVE(&w->mem, &w->found[unknown], &w->capacity[unknown], w->count[unknown] + 64);
 }
 
 /* Decide the open pairs of frame i in one word of the second set. */

@@ -57,7 +57,7 @@ static fmb_status append(fmb_words *w, int byte)
 {
     if (w->size == FMB_PROOF_WORD_MAX)
         return fmb_words_expected(w, "a word of at most %zu bytes", FMB_PROOF_WORD_MAX);
-    FMB_TRY(fmb_mem_reserve(w->mem, (void **)&w->text, &w->capacity, w->size + 2, 1));
+    FMB_TRY(FMB_RESERVE(w->mem, &w->text, &w->capacity, w->size + 2));
     w->text[w->size++] = (char)byte;
     w->text[w->size] = '\0';
     return FMB_OK;
@@ -143,7 +143,7 @@ fmb_status fmb_words_next(fmb_words *w)
     w->column = w->at;
     w->quoted = false;
     w->size = 0;
-    FMB_TRY(fmb_mem_reserve(w->mem, (void **)&w->text, &w->capacity, 1, 1));
+    FMB_TRY(FMB_RESERVE(w->mem, &w->text, &w->capacity, 1));
     w->text[0] = '\0';
     if (!ends_line(w->next)) {
         FMB_TRY(w->next == '"' ? read_quoted(w) : read_bare(w));

@@ -5,14 +5,6 @@
 fmb_features_watcher fmb_features_watch;
 #endif
 
-static int count_kept_variables(const fmb_reduced_part *h)
-{
-    int kept = 0;
-    for (int j = 0; j < h->p->n; j++)
-        kept += h->place[h->p->var[j]] >= 0;
-    return kept;
-}
-
 /* Does the row hold where all variables are 0? */
 static bool holds_at_origin(const fmb_derived *r, size_t n)
 {
@@ -69,9 +61,8 @@ static void note_column(const fmb_reduced_part *h, size_t j, fmb_features *f)
 
 fmb_features fmb_features_of(const fmb_reduced_part *reduced)
 {
-    fmb_features f = {.kept = count_kept_variables(reduced),
-                      .variables = reduced->p->n,
-                      .is_wide = reduced->p->wide};
+    fmb_features f = {
+        .kept = reduced->kept, .variables = reduced->p->n, .is_wide = reduced->p->wide};
     f.columns = (size_t)reduced->p->n - (size_t)reduced->e.rounds;
     note_remaining_rows(reduced, &f);
     f.least_growth = SIZE_MAX;

@@ -7,8 +7,10 @@ static fmb_status eliminate_cheap_columns(fmb_reduced_part *h)
     bool *drop = h->drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
     if (!drop)
         return fmb_mem_status(q->run.mem);
-    for (int j = 0; j < h->p->n; j++)
+    for (int j = 0; j < h->p->n; j++) {
         drop[j] = h->place[h->p->var[j]] < 0;
+        h->kept += !drop[j];
+    }
     fmb_status st = fmb_query_load(q, h->p, false, &h->e);
     h->e.order = FMB_ORDER_PAIRS;
     h->e.chooser = (fmb_chooser){0};

@@ -16,6 +16,7 @@ typedef struct fmb_reduced_part {
     const int *place; /* [dim] column in the projection, -1 for variables to eliminate */
     fmb_elim e;
     bool *drop; /* [n] variables to eliminate */
+    int kept;   /* the number of the others */
     bool rest;  /* live rows still name some of them */
 } fmb_reduced_part;
 

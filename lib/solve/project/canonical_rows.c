@@ -255,9 +255,9 @@ static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
 }
 
 /* *reduced: the row names no pivot, and has no common divisor. */
-static fmb_status check_row(echelon *e, const fmb_sysrow *r, bool *reduced)
+static fmb_status check_row(echelon *e, size_t i, bool *reduced)
 {
-    fmb_status st = FMB_OK;
+    const fmb_sysrow *r = &e->c->image->row[i];
     *reduced = false;
     for (size_t k = 0, p = 0; k < r->nnz; k++) {
         while (p < e->rank && e->pivot[p] < (size_t)r->var[k])
@@ -265,16 +265,9 @@ static fmb_status check_row(echelon *e, const fmb_sysrow *r, bool *reduced)
         if (p < e->rank && e->pivot[p] == (size_t)r->var[k])
             return FMB_OK;
     }
-    if (!fmb_vec_is_wide(&r->val)) {
-        int bits;
-        *reduced = fmb_content_small(r->val.s, r->nnz + 1, &bits) == 1;
-        return FMB_OK;
-    }
-    mpz_set_ui(e->g, 0);
-    for (size_t k = 0; st == FMB_OK && k <= r->nnz && mpz_cmp_ui(e->g, 1) != 0; k++)
-        st = fmb_long_gcd(e->g, e->g, r->val.z[k], &e->poll);
+    FMB_TRY(fmb_part_content(e->c->image, i, &e->c->q->run, e->g));
     *reduced = mpz_cmp_ui(e->g, 1) == 0;
-    return st;
+    return FMB_OK;
 }
 
 static fmb_status reduce_inequalities(echelon *e)
@@ -283,10 +276,9 @@ static fmb_status reduce_inequalities(echelon *e)
     fmb_integers z;
     fmb_status st = fmb_integers_init(&z, e->n + 1, mem);
     for (size_t i = 0; st == FMB_OK && i < e->c->image->rows; i++) {
-        const fmb_sysrow *r = &e->c->image->row[i];
         bool reduced = true;
-        if (r->rel != FMB_EQ)
-            st = check_row(e, r, &reduced);
+        if (e->c->image->row[i].rel != FMB_EQ)
+            st = check_row(e, i, &reduced);
         if (st != FMB_OK || reduced)
             continue;
         st = reduce_inequality(e, i, z.z);

@@ -173,9 +173,8 @@ static fmb_status sort_claims(fmb_claimed_rows *c, const placed_row *sorted)
     size_t rows = c->image->rows;
     if (!c->q->claims)
         return FMB_OK;
-    fmb_claim *from = fmb_mem_get(mem, rows, sizeof *from), *to = c->q->claims->claim + c->first;
-    if (!from)
-        return fmb_mem_status(mem);
+    fmb_claim *from, *to = c->q->claims->claim + c->first;
+    FMB_TRY(FMB_GET(mem, from, rows));
     memcpy(from, to, rows * sizeof *from);
     for (size_t i = 0; i < rows; i++)
         to[i] = from[sorted[i].was];

@@ -208,16 +208,11 @@ fmb_status fmb_part_content(const fmb_system *s, size_t source, fmb_run *run, mp
 {
     const fmb_sysrow *r = fmb_system_row(s, source);
     const fmb_poll poll = fmb_run_asked(run);
-    fmb_status st = FMB_OK;
-    mpz_t t;
-    mpz_init(t);
-    mpz_set_ui(content, 0);
-    for (size_t k = 0; st == FMB_OK && k <= r->nnz && mpz_cmp_ui(content, 1) != 0; k++) {
-        fmb_vec_get(&r->val, k, t);
-        st = fmb_long_gcd(content, content, t, &poll);
-    }
-    mpz_clear(t);
-    return st;
+    int bits;
+    fmb_integer_set_u64(content, r->val.z ? 0 : fmb_content_small(r->val.s, r->nnz + 1, &bits));
+    for (size_t k = 0; r->val.z && k <= r->nnz && mpz_cmp_ui(content, 1) != 0; k++)
+        FMB_TRY(fmb_long_gcd(content, content, r->val.z[k], &poll));
+    return FMB_OK;
 }
 
 /* The system's row is ints / den, the part's row is ints / g, with g the greatest common divisor of

@@ -113,13 +113,10 @@ static fmb_status begin_query(fmb_query *q, fmb_solver *v, const fmb_system *s, 
                             : (v->steps & FMB_STEP_COMPONENTS) ? FMB_SPLIT_COMPONENTS
                                                                : FMB_SPLIT_NAMED));
     size_t parts = (size_t)q->parts.count;
-    fmb_oracle **oracle = fmb_arena_get(&v->arena, parts, sizeof *oracle);
-    q->program = fmb_arena_get(&v->arena, parts, sizeof *q->program);
-    if (!oracle || !q->program)
-        return fmb_mem_status(&v->mem);
+    FMB_TRY(FMB_ARENA_GET(&v->arena, q->program, parts));
+    FMB_TRY(FMB_ARENA_GET(&v->arena, q->oracle, parts));
     for (size_t i = 0; i < parts; i++)
-        oracle[i] = NULL;
-    q->oracle = oracle;
+        q->oracle[i] = NULL;
     return FMB_OK;
 }
 

@@ -72,9 +72,7 @@ void fmb_script_free(fmb_script *s)
 static fmb_status fill_script(fmb_script *s, const fmb_cursor *text)
 {
     s->size = (size_t)(text->end - text->begin);
-    s->text = fmb_mem_get(&s->mem, s->size, 1);
-    if (!s->text)
-        return fmb_mem_status(&s->mem);
+    FMB_TRY(FMB_GET(&s->mem, s->text, s->size));
     memcpy(s->text, text->begin, s->size);
     fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, text->where);
     fmb_status st = fmb_io_check(&c);

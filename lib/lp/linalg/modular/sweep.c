@@ -5,11 +5,8 @@
 
 fmb_status fmb_sweep_reserve(fmb_sweep *w, fmb_arena *arena, size_t terms)
 {
-    fmb_status st =
-        fmb_arena_reserve(arena, (void **)&w->index, &w->index_room, terms, sizeof(int));
-    FMB_THEN(st,
-             fmb_arena_reserve(arena, (void **)&w->value, &w->value_room, terms, sizeof(uint64_t)));
-    return st;
+    FMB_TRY(FMB_ARENA_RESERVE(arena, &w->index, &w->index_room, terms));
+    return FMB_ARENA_RESERVE(arena, &w->value, &w->value_room, terms);
 }
 
 fmb_status fmb_sweep_open(fmb_sweep *w, fmb_arena *arena, size_t n, size_t terms, bool down)

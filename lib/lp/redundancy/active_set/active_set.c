@@ -162,12 +162,7 @@ static fmb_status note_proof_of_row(fmb_active_set *s, size_t i)
 {
     size_t size = s->of->leading ? s->supports : s->proof.size;
     const size_t *index = s->of->leading ? s->support : s->proof.index;
-    void *room = s->proved;
-    fmb_status st =
-        fmb_mem_reserve(s->run->mem, &room, &s->proved_room, s->told + 2 + size, sizeof *s->proved);
-    s->proved = room;
-    if (st != FMB_OK)
-        return st;
+    FMB_TRY(FMB_RESERVE(s->run->mem, &s->proved, &s->proved_room, s->told + 2 + size));
     s->proved[s->told++] = i;
     s->proved[s->told++] = size;
     for (size_t k = 0; k < size; k++)
