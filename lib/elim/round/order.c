@@ -103,7 +103,6 @@ void fmb_elim_note_candidates(fmb_elim *e, const bool *drop)
         e->candidates[e->round[i].var / 64] &= ~((uint64_t)1 << e->round[i].var % 64);
 }
 
-/* In increasing order. */
 static size_t list_candidates(fmb_elim *e)
 {
     size_t n = 0;

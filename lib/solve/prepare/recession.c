@@ -155,7 +155,7 @@ static bool leave_rows_of_one_sign(small_system *g, size_t j)
         return false;
     for (size_t i = 0; i < g->m; i++)
         if (g->a[i][j] == 0)
-            memcpy(g->a[left++], g->a[i], g->n * sizeof **g->a);
+            memmove(g->a[left++], g->a[i], g->n * sizeof **g->a); /* perhaps onto itself */
     g->m = left;
     return true;
 }
