@@ -73,10 +73,10 @@ size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i)
     return mpz_sgn(v->z[i]) == 0 ? 0 : mpz_sizeinbase(v->z[i], 2);
 }
 
-size_t fmb_vec_most_bits(const fmb_vec *v, size_t from, size_t to)
+size_t fmb_vec_most_bits(const fmb_vec *v, size_t n)
 {
     size_t most = 0;
-    for (size_t i = from; i < to; i++) {
+    for (size_t i = 0; i < n; i++) {
         size_t bits = fmb_vec_entry_bits(v, i);
         most = bits > most ? bits : most;
     }
@@ -124,12 +124,7 @@ void fmb_vec_block_free(mpz_t *z, size_t n, fmb_mem *mem)
 
 fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem)
 {
-    size_t bits = 0;
-    for (size_t i = 0; i < n; i++) {
-        size_t b = mpz_sizeinbase(from[i], 2);
-        bits = b > bits ? b : bits;
-    }
-    if (bits <= FMB_SMALL_BITS) {
+    if (fmb_vec_most_bits(&(fmb_vec){.z = from}, n) <= FMB_SMALL_BITS) {
         fmb_vec_clear(v, n, mem);
         for (size_t i = 0; i < n; i++)
             v->s[i] = fmb_integer_get_i64(from[i]);
@@ -261,14 +256,9 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
         fmb_vec_reduce_small(v, n);
         return k->wide_only ? fmb_vec_widen(v, n, k->mem) : FMB_OK;
     }
-    size_t bits = 0;
     FMB_TRY(content_of_wide(v, n, k));
     FMB_TRY(divide_wide(v, n, k));
-    for (size_t i = 0; i < n; i++) {
-        size_t b = mpz_sizeinbase(v->z[i], 2);
-        bits = b > bits ? b : bits;
-    }
-    if (bits > FMB_SMALL_BITS || k->wide_only)
+    if (k->wide_only || fmb_vec_most_bits(v, n) > FMB_SMALL_BITS)
         return fmb_vec_settle(v, n, k->mem);
     for (size_t i = 0; i < n; i++)
         v->s[i] = fmb_integer_get_i64(v->z[i]);

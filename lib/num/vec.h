@@ -72,8 +72,8 @@ static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
 }
 /* The least b with |entry i| < 2^b; 0 for entry 0. */
 size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i);
-/* The most of entries from, ..., to - 1. */
-size_t fmb_vec_most_bits(const fmb_vec *v, size_t from, size_t to);
+/* The same of the longest of n entries. */
+size_t fmb_vec_most_bits(const fmb_vec *v, size_t n);
 /* Entry i times 2^-exponent, rounded; 0 below 2^-1000. */
 double fmb_vec_entry_double(const fmb_vec *v, size_t i, int exponent);
 /* Bound on the bits of the d x d minors of the matrix of rows v[size], by Hadamard's inequality. */

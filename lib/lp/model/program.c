@@ -45,7 +45,7 @@ static fmb_status reserve_row(fmb_program *p)
 
 static void fit_row_into_doubles(fmb_program_row *r)
 {
-    r->shift = r->value->z ? (int)fmb_vec_most_bits(r->value, 0, r->size + 1) : 0;
+    r->shift = r->value->z ? (int)fmb_vec_most_bits(r->value, r->size + 1) : 0;
 }
 
 fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const int *place,

@@ -76,22 +76,12 @@ static double split_coefficient(const fmb_refinement *t, size_t row, size_t k, i
     return x;
 }
 
-static int find_row_exponent(const fmb_refinement *t, size_t row)
-{
-    int most = 0, e;
-    for (size_t k = 0; k < t->p->row[row].size; k++) {
-        split_coefficient(t, row, k, &e);
-        most = k == 0 || e > most ? e : most;
-    }
-    return most;
-}
-
 /* to[size] = a row divided by 2^exponent. */
 static void write_row(const fmb_refinement *t, size_t row, int *exponent, double *to)
 {
     const fmb_program_row *r = &t->p->row[row];
     int e;
-    *exponent = find_row_exponent(t, row);
+    *exponent = (int)fmb_vec_most_bits(r->value, r->size);
     memset(to, 0, t->size * sizeof *to);
     for (size_t k = 0; k < r->size; k++) {
         double x = split_coefficient(t, row, k, &e);

@@ -55,24 +55,12 @@ void fmb_polar_points_clear(fmb_polar_points *p)
 
 /* ---- rows in doubles ------------------------------------------------------------------------- */
 
-/* The least e with |entry| < 2^e for all coefficients. */
-static int coefficient_bits(const fmb_polar_points *p, size_t i)
-{
-    const fmb_vec *v = p->row[i].v;
-    size_t bits = 0;
-    for (size_t k = 0; k < p->d; k++) {
-        size_t b = fmb_vec_entry_bits(v, p->column[k]);
-        bits = b > bits ? b : bits;
-    }
-    return (int)bits;
-}
-
 /* Load rows scaled to length about 1, columns to a largest entry of about 1. False if a right side
  * is beyond doubles. */
 static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
 {
     for (size_t i = 0; i < p->m; i++) {
-        int bits = coefficient_bits(p, i);
+        int bits = (int)fmb_vec_most_bits(p->row[i].v, p->n);
         for (size_t k = 0; k < p->d; k++)
             c->at[k * c->m + i] = fmb_vec_entry_double(p->row[i].v, p->column[k], bits);
         c->right[i] = fmb_vec_entry_double(p->row[i].v, p->n, bits);
@@ -171,7 +159,7 @@ static bool see_rows(fmb_polar_points *p)
     mpz_t slack, t;
     mpz_inits(slack, t, NULL);
     for (size_t i = 0; inside && i < p->m; i++) {
-        int bits = coefficient_bits(p, i);
+        int bits = (int)fmb_vec_most_bits(p->row[i].v, p->n);
         double square = 0, inverse = inverse_slack(p, i, bits, slack, t);
         for (size_t k = 0; k < p->d; k++) {
             double a = fmb_vec_entry_double(p->row[i].v, p->column[k], bits);
