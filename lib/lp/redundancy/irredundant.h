@@ -12,19 +12,8 @@
 #include <fmb/solve.h>
 
 #include "lp/model/row.h"
-#include "num/weights.h"
+#include "lp/redundancy/verdicts.h"
 #include "trace/run.h"
-
-/* Told of each decision as it falls. */
-typedef struct fmb_verdicts {
-    /* Row i is a combination (w) of rows not yet gone. */
-    fmb_status (*redundant)(void *self, size_t i, const fmb_weights *w);
-    /* Row i always holds with equality: w combines rows to its reverse. */
-    fmb_status (*equality)(void *self, size_t i, const fmb_weights *w);
-    /* x[n] satisfies all rows not yet gone but row i. */
-    fmb_status (*irredundant)(void *self, size_t i, mpq_t *x);
-    void *self;
-} fmb_verdicts;
 
 /* fate[m] comes in UNKNOWN; or REDUNDANT for rows that have gone, or KEPT for inequalities that are
  * known to be irredundant and not always tight: those are not looked at. told may be NULL.
@@ -32,8 +21,6 @@ typedef struct fmb_verdicts {
  * hold. Errors: MEMORY, LIMIT. */
 fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
                            const fmb_verdicts *told, bool *feasible);
-/* Rows of which some are decided. */
-typedef struct fmb_pruner fmb_pruner;
 
 /* The same without the second pass: inequalities stay what they are, and only their redundancy is
  * decided. Where paused is not NULL, begin with *paused NULL. It stops where a slice of the run is

@@ -1,8 +1,6 @@
 /* leading_rows.c: see leading_rows.h. */
 #include "lp/redundancy/active_set/leading_rows.h"
 
-#include <string.h>
-
 #include "base/arrays.h"
 
 /* Entries of more bits are shortened to so many. */
@@ -12,8 +10,7 @@ static fmb_status hold_leading_rows(fmb_leading_rows *t, bool get)
 {
     size_t m = t->most_rows, n = t->most_columns;
     return FMB_ARRAYS_IN_BLOCK(t->mem, get, FMB_ARRAY(t->column, n), FMB_ARRAY(t->row, m),
-                               FMB_ARRAY(t->v, m), FMB_ARRAY(t->entry, m * (n + 1)),
-                               FMB_ARRAY(t->way, n), FMB_ARRAY(t->speed, m));
+                               FMB_ARRAY(t->v, m), FMB_ARRAY(t->entry, m * (n + 1)));
 }
 
 fmb_status fmb_leading_rows_open(fmb_leading_rows *t, fmb_mem *mem, size_t most_columns,
@@ -104,19 +101,4 @@ fmb_status fmb_leading_rows_find_inside(fmb_leading_rows *t, fmb_run *run, doubl
     if (st == FMB_OK && *found && p->near)
         *found = fmb_interior_point_sees_near_rows(p);
     return st;
-}
-
-fmb_status fmb_leading_rows_shoot(fmb_leading_rows *t, bool *hit)
-{
-    memset(hit, 0, t->m * sizeof *hit);
-    for (size_t i = 0; i < t->m; i++) {
-        for (size_t k = 0; k < t->n; k++)
-            t->way[k] = (double)t->v[i].s[k];
-        size_t first = fmb_interior_point_shoot(&t->inside, t->way, NULL, t->speed);
-        if (first < SIZE_MAX)
-            hit[first] = true;
-        fmb_run_count(t->inside.run, t->m * (2 + t->n / 4));
-        FMB_TRY(fmb_run_poll(t->inside.run));
-    }
-    return FMB_OK;
 }

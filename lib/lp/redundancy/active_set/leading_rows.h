@@ -22,7 +22,6 @@ typedef struct fmb_leading_rows {
     fmb_vec *v;                /* [m] */
     int64_t *entry;            /* [m][n + 1] */
     bool rough;                /* some number was rounded */
-    double *way, *speed;       /* [n], [m] scratch */
     fmb_interior_point inside; /* if a point was found */
 } fmb_leading_rows;
 
@@ -41,8 +40,5 @@ void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch);
  * (trace/run.h) than patience. *found false: none was found. Errors: MEMORY, LIMIT. */
 fmb_status fmb_leading_rows_find_inside(fmb_leading_rows *t, fmb_run *run, double patience,
                                         bool *found);
-/* Once it was found: rays from there in the direction of each row; hit[m]: rows that one leaves
- * through before it meets any other, which are irredundant. Errors: LIMIT. */
-fmb_status fmb_leading_rows_shoot(fmb_leading_rows *t, bool *hit);
 
 #endif
