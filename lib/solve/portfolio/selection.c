@@ -40,189 +40,189 @@ typedef struct tree {
 
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 19674 problems of 91 families, seeds 1 to 280052, ways as of commit 93a3b18d.
- * Time over that of the best method alone: 1.147 on families seen, 1.251 on others. */
-static const int START[FORETOLD_COUNT] = {-1931183, -1088838, 1529987, 237732, -252140};
+/* 24114 problems of 101 families, seeds 1 to 340008, ways as of commit 3f1633d6.
+ * Time over that of the best method alone: 1.152 on families seen, 1.244 on others. */
+static const int START[FORETOLD_COUNT] = {-1502592, -1407108, 1391851, 316201, -163658};
 static const short WEIGHT[FMB_FEATURE_COUNT][FORETOLD_COUNT] = {
-    {7110, -1841, -3039, 4055, -200},
-    {1626, -1489, -225, 1199, -162},
-    {-3345, 3400, -349, 765, 351},
-    {-2802, 1206, -459, 682, 65},
-    {-1095, -372, -1429, -238, 95},
-    {913, 1213, 739, 158, -63},
-    {-4707, -5739, -2571, 1463, 119},
-    {-8302, 4385, -1696, -1328, -861},
-    {-726, -2297, 1597, -22, -45},
-    {-8847, 4122, -1356, -13220, 103},
-    {3083, -983, -2020, -508, -267},
-    {-4071, -2656, 2445, -1208, 490},
-    {850, -415, 1646, -521, -36},
-    {303, -460, 472, -108, -35},
-    {-14, 466, 478, -347, 102},
-    {1938, -1543, 1268, -2360, -110},
-    {2365, 5, 1230, -791, -54},
-    {2545, -1434, 1370, -1076, 72},
-    {617, 411, -335, -203, 41},
-    {-826, 1623, -1734, 48, 133},
-    {4634, -289, -841, 203, -52},
-    {126, 567, -483, 699, 186},
+    {7114, -1822, -2903, 4022, -218},
+    {1401, -1503, -119, 1108, -134},
+    {-3554, 3995, -469, 828, 243},
+    {-3076, 1308, -262, 662, 23},
+    {-888, -701, -919, -455, 56},
+    {1339, 1380, 775, 293, -49},
+    {-6792, -5188, -2962, 1070, -84},
+    {-9575, 5218, -2140, -999, -887},
+    {-2836, -1414, 1183, -239, -101},
+    {-257, 2771, 257, -14989, 1561},
+    {3618, -1159, -1956, -467, -282},
+    {-4103, -2946, 2711, -1337, 499},
+    {999, -457, 1548, -599, -22},
+    {199, -440, 516, -90, -33},
+    {-4, 364, 637, -395, 130},
+    {2332, -2139, 1435, -2420, -114},
+    {2511, 177, 880, -539, -74},
+    {896, -1760, 1452, -876, 123},
+    {502, 450, -413, -123, 52},
+    {-807, 1609, -1876, 29, 170},
+    {5162, -245, -1147, 68, -183},
+    {-117, 774, -629, 763, 153},
 };
 static const tree TREE[] = {
-    {{{14, 2304}, {6, 57}, {2, 1104}, {19, 1056}, {11, 118}, {0, 576}},
-     "innomismsmlmmllkjnkmnulklooopmlvfjmrqkpmmmmmmmmmmmmmmmmmmmmmjlojnrlnlmkkmomwmsgmlllmmktlpmmmm"
-     "mmnlmkmomokmupknmglnpmfhpqmmmmmmmmmmmmmmmmmmmmmepjimmmmmmmmmmmmmmmmmmmmmkmmnmmmmmmmmmmmkklrnl"
-     "mlom}jlolnlmmmmmmmmmmmmmmmmmmmmmmmhbmrnmmmmmmmmmmnimlmtleqmeqmpmpniolmmmmmyjmnlqmjomfhpqlulnk"
+    {{{14, 2304}, {6, 58}, {19, 1056}, {0, 384}, {14, 1360}, {5, 533}},
+     "mmmmmmmmmmmmmmmmmmmmknnnlmmmmmhnnnmmmmmmotgmlmmmmmksnkmonnmmnvhlmkmpmnlrmjm}kqgmqlkomhkopnmnl"
+     "kmnnnmmmmmnlilnmnkmmmnmmlnmnklnmdlnpmgssmmmspmmqknknfjqpnslnjmsinkmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmminnnmmmmmmmmmmmmmmmmjknonmmmmmmmmmmmmmmmmgksmnimlmmmmmmmmmmmnmmnmpmeolmmmmmmmmmm`onpmsogq"
+     "mmmmmmmmmmmtolnlqhmolmmmmmmmmmmvkonlogkrm"},
+    {{{14, 2241}, {6, 66}, {19, 1040}, {11, 112}, {0, 576}, {14, 1424}},
+     "nknnlgpnpljsnplgpopmmjlmmljnkollnlmmipjnorkkllqnjmnpmpmwomkllrhkmlqkjmlnmomxmnkmmkmnmlmlmmnsl"
+     "olislpmnmlomnlnlnnnmlmmlnjmmjoknnnolmrqjmmxmjkmgkosmjjplmbjqtmmgollmmmmmlnmnmmmmmmcooommmmmmm"
+     "mmmmmmmmmmmmmmmmmmmjjmqnmmmmmkkkrmmmmmm{mollmmmmmvinkmmmmmmqngrmmmmmmhrkpmmmmmmooinlmmmmmnmnm"
+     "mmmmmmzimnlmmmmmqlkommmmmmahnrlmmmmmklmnm"},
+    {{{18, 1521}, {5, 512}, {11, 46}, {19, 928}, {14, 1360}, {7, 21}},
+     "klmplnjommhljomkmnnmnjnmnojlnmkimmnknnnmmoknmommmlnmlnmnlmjnnoklnlpjnlnomkmmpmkmmlpnmkknlnhpk"
+     "nmjqlnmmktmm_megmnonjmrlnlmknlpmkmlomimnmmjlmmmiloqmmnmomqiqnmqlmmmmmmmmmmmmmhqkpmepnommmmmmm"
+     "mmmmhplpminlqmmmmmmmmmmmmmllmmnknlmmmmmmmmmmomkomnnmnmmmmmmmmmmmiriplhqmmnmmmmmmmmmmukknlpmjo"
+     "mmmmmmmmmmmgslmlmmmmmmmmmmmmmmmmplmlplmmm"},
+    {{{14, 2368}, {6, 66}, {3, 1408}, {19, 1104}, {11, 128}, {0, 512}},
+     "jplmlipnqmlklmnljmlmmrmkmuomkmmqikmqpkkmmmmmmmmmmmmmmmmmmmmmlmnkmmnlnkmmmmmjnnmmmlmmmmnlommmm"
+     "nmnlmlmmnplmtinkmfkormcipqmmmmmmmmmmmmmmmmmmmmmmrhompmjnommmmmmmmmmmmmmmemnmmmmmmmmmmmmpnmmmm"
+     "mkqmtnolmzjjnlmmmmmmmmmmmmmmmmmmmmigmonjhjtmmmmmmplknmjkinmkmknmmmmmmmmmmmullmmolmmmmmmmmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2206}, {3, 1352}, {12, 1264}, {11, 105}, {14, 1320}, {7, 21}},
-     "nkmnmnlmnljolmmkpmlmnqjmmomlnlnmnmmnknjnmjumndlflnompkmmnllndlpsnpmnnmehqolmkokmmmmmmlnlnmkmp"
-     "jnnqnkmmqkmnmnmmmnmmmmmmmmmhmkonpnhompsimmmpjlljmjnnqrkombiowmmmmmmmmmmmmmmmmnmkqmgonqmmmmmmm"
-     "mmmmvnqlmympklmmmmmmmmmmzjknlpmlnmmmmmmmmmmmlmlnlpmnmmmmmmmmmmmmjemqnilmqnmmmmmmmmmmpmkqmmmmn"
-     "mmmmmmmmmmmljknnijkommmmmmmmmmmhflqmmmmmm"},
-    {{{18, 1524}, {5, 497}, {11, 48}, {19, 960}, {14, 1360}, {0, 384}},
-     "rjmomljpmmllklmhonpmmkkonqjnlmjonmmnkmmmrmlnmnnmmlolljnmlmjnpmhmlnrjmlisolmopmjmikponjkolnkol"
-     "kmipjnmglnmmijpknksqlmpkmjmkmmrmjmlonnnoomilmnmlnnqmjlopnmmrpmriolmmmmmmmmmmmlmlkmbrnrmmmmmmm"
-     "mmmmgpnlmjnksmmmmmmmmmmmmnllmnmmmmmmmmmmmmmmmnnmmommlmmmmmmmmmmmmnilmisirmmmmmmmmmmmsnmmlvikn"
-     "mmmmmmmmmmmhrmllmnkmmmmmmmmmmmmopjmlonlnl"},
-    {{{14, 2376}, {6, 73}, {19, 1040}, {11, 118}, {0, 384}, {18, 1060}},
-     "nmlmljomlnkpnplfpnrmnmlmlmmmmmkknnnmhoknppkmlirpmnpomkmlpmmmpsglmlmmmmmpklmrlnklnkmnmnmlkmmlm"
-     "nmlnknmnmmpmononmmmmmmmllkmknmmnjqpnmmkpkmsimlmjknrmfjnnmekormhinnmmmmmmmmmmmmmmmmhmnmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmjmonmmmmmlhlqmmmmmmnnnmmmmmmm}jjnlmmmmmknlnmmmmmmhmknmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmqlkmmmmmmmllkmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{12, 1986}, {4, 560}, {18, 1392}, {5, 512}, {1, 960}, {19, 1040}},
-     "nlmmmploknnomlmlrkkmkmmmmnnnlmnjppnololmiomnmnmnnmgplomlnirmmoknmtjolmokiomtilnmoklnmoklmnnkn"
-     "lnlmlllilonmhkqnmmmmmmhkmrmlknlmjoqmmofnhmjhlomlmkkmokmnmmmmmmgjlpmmmmmmmmmmmmmmmmmmmmmmmmmmn"
-     "plmmmmmmmeqgkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjlnonmmmmmmmmmmmmmmmmqmmmmmmmmmmmn"
-     "mmmmmmfqmpmmmmmmmmmmmmmmmmqogommmmmmlmmnm"},
-    {{{19, 704}, {1, 1344}, {4, 384}, {7, 0}, {14, 1360}, {15, 384}},
-     "opnkmmmmmmponqmmmmmmpnokmmmmmmmlplnmmmmmpnmmmmmmmmonmmmmmmmmrlpmmmmmmmokolmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkomlmlnmomfqlnmlnknmlnmlmk"
-     "mkpmjnnlmoklnmlmonmmkpnmknkmmplolmmmmnmkmjmmmmlmmlonlmmmmmmmmmmmmmmmmskssmmmmmmmmmmmmmmmm}kpi"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmjjknnmmmmmlhomn"},
-    {{{6, 246}, {4, 560}, {15, 256}, {12, 928}, {7, 21}, {14, 2040}},
-     "nonkmlmmmmplolmfooplinkkminkmmmolnmirkqmkmlnmgplqmmmlmmiqnomnmolmpknlmlnjlmlonmmmmmmmmmmmmpjo"
-     "lmkknmmjlnmmmlmnmqlknnomjnmilmlmkhnmmmjnlmjjnmnhloomkknomnlmmmllnmmmmmmmkomnmmmmmmmmmmmksjome"
-     "ukrmmmmmmmmmmmmnlmmmmmmmmmmmmmmmmmomolmqnknmmmmmmmmmmmpnmmmmmmmmmmmmmmmmmmllmlmipfpmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmlqmnmrnjnlmmmmmmmmmm"},
-    {{{5, 790}, {14, 2241}, {19, 1296}, {8, 147}, {12, 1424}, {19, 1088}},
-     "mmmmmqlnkmilmkmkkonmlmknmmqmlmmmmmmhnkommmmmmqrklmmmmmmnoknmmmmmmnnnkmmmmmmgkkqminmomukmnmuio"
-     "lmrllmmlmkmmrnnlmmmmmmomlmmmmmmmpmkqmmmmmmqlinmmmmmmljmnmmmmmmeilommoiommmmmmolnkmktmkmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmhpglmmmmmmmmmmmmmmmmmmmmmkpipmmmmmmqmiomlnmmmmmmmmmmmmmmmmmmmmmm"
+    {{{14, 2170}, {4, 384}, {7, 16}, {11, 112}, {5, 533}, {15, 384}},
+     "mnnomlmkomirlnmkmmlmopmlmkpilmiolkmploomkmomnjlkonhomomlmkmmonnkmkmknmlmokmnkmnmjnmmmnlokmlml"
+     "mmomrkmjmnmolpjlnjmonmcjnsmnmmmmlolllnnklmimjjnojmlnnmmlmimolminlommmmmmhqirlhslomqmhommmmmmm"
+     "mnmmmnmmmkplmlcoonmhonpmjomnmlnmommmmmmpmmnmmmmmmpmnmmmmmmmoknnmqmkpmxinlmmmmmmvmnmmmmmmmchmo"
+     "ldonqmkmmpmpmlmmommmmnmmmmulplllmnlmkmnmm"},
+    {{{12, 1946}, {4, 565}, {0, 384}, {18, 1377}, {19, 1024}, {12, 1024}},
+     "pmlnmlmnommpjnmnpmlmlnlkmlnlkmjrnnmpnommmlnmmlnlmmnnmlmomnkmfqnqmkokomeqltmsjmmmpknmmolkommll"
+     "mmjlmomojlkmomkkmjmnmnfnqmmmkolmnllomjjnlnllnmmjjnkmlmknmjfmnmoilnmmmmmmmmmmmmmmmmjrimmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmbqgimmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgrmpmmmmmmmmmmmmmmmmhrkp"
+     "lmmmmmmmmmmmmmmmpmmlmmmmmmmmmmmmmmmmrlgnm"},
+    {{{19, 768}, {7, 21}, {14, 2054}, {0, 512}, {11, 64}, {13, 960}},
+     "mommmmmmmmqpnommmmmmmmmmmmmmmmlnokmmmmmmlnmnmmmmmmmmmmmmmmmmmmmmmmmmmmnmmlmmmmmmplolmmmmmmrln"
+     "kmmmmmmmjqlnmmmmmomnlmmmmmmmmmlmmmmmmmmmmmmmmmmfnoolmmmmmknmnmmmmmmmmnmmjnommlmlmmhlprmqnmjmr"
+     "lmkmlmmmmoorhmmllnmrknlmonqmlglonljokqmqnknmoinmlllnkmmlllmflhkmmmkmmomonmnmmmmnqinmkmmmmqokm"
+     "njnnlmonmmmisplmgopmmimlqmopiomnmmmmtkokm"},
+    {{{6, 253}, {18, 550}, {5, 338}, {6, 70}, {5, 522}, {10, 74}},
+     "mmmmmlinkmmmmmmmmmmmmmmmmqlolmmmmmmmmmmmpskmmlqknlptlgnojmnnnmlnmmmlmlilornqnlmmmmmmmjllnlmmm"
+     "mmmmmmmmmmmmnkmlmmmmmmmmmmmonllmnonmn|lnklqfpnmlmlmmmmnmmklnlmnlnnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmnmmmmmmfnjnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqomnmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmopkmmmmmmm"},
+    {{{12, 1946}, {4, 565}, {0, 640}, {15, 704}, {11, 139}, {5, 501}},
+     "mmmmmmlmmmnlmlmknmnmnqmlmrnokmjthmmllkomkqnnmnrklmmmmlmjlokmommomvkojmlolnmjlplmmkmmmlkommskm"
+     "kmjknomkklmmjnkmmkqpkmilmpmkqlqmlmmmmsolnmmmmmmlmmnmmmmmmpolnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmme"
+     "qflmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknmlmmmmmmmmmmmgonpmooknmmmmmmlllmmmmmmmmmmmmmmmmmjllo"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{5, 336}, {6, 73}, {4, 336}, {7, 16}, {15, 512}, {14, 1360}},
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmjjmlnmiolmkjmmmlmlokimknlmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmpnmmmqnlnmmmmmmmmmmmqlnllnjmlmmmmmmmmmmmmmmmmmmmmmmjpnm{koimmmnlml"
-     "mnlmljmonphpmmmmmmmmmmmmmojmnqnmlmkpmpmkompmnplmlnonlmlnllmkpmomlllomkmkmmnomkmklplnlklnnoimk"
-     "mlloomlmlmmmjonmolommmmmnmnmllmjmhlmlpnmm"},
-    {{{6, 241}, {0, 576}, {15, 704}, {14, 1890}, {12, 1232}, {11, 105}},
-     "nlmmmmlmmmkkmlnlmoqmknmmmnmnlmnlmlmhmmmlnomlmnrilmrqnkljlkommlonmnmnnmmllnmhjlqmnpnnmlmmlmstj"
-     "nlpomlmfnnpmnkmkmnqkpmmmmkmmmmpmrjplnsnnkmcmprnknlnmrlmmmtkkmmlhmmmlolnmlmmnmnnomminonmirkoml"
-     "nlmmqmlmmjpnllmmmmmmmmmmgonkmlmlmmjnmnmmmmmmmmimmmokmmkpmmmmmmmmtrilmmmmmmknmmmmmmmmjsjommmmm"
-     "mmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{12, 1986}, {0, 384}, {18, 1392}, {19, 992}, {7, 11}, {1, 896}},
-     "kmnnmqmormomlmmplmlmmnommopmmmkmknmmnkmlkmlllllkomnmlkmpimmnlnolmnljnmhprmmlknlnmnlmmjlnnmmlm"
-     "lmmnnmmokplmmlmlmmmmmmmnmmmkolpmikknmjnmomklnmmrjnmmllkpmoklnmnkkommmmmmmmmmmmmmmmmmmmmirlomk"
-     "oknmjlonmmmmmmmmmmmmmmmmmmmmmmmmmmirlpmmmmmmjnmommmmmmmmmmmmmmmmmmmmmmmmmmqlmkmhnjkmmmnlnmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmqkinmmmmmmpnkmmmmmmm"},
-    {{{12, 800}, {15, 256}, {14, 2040}, {19, 1136}, {5, 533}, {11, 67}},
-     "nlommpmolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmminoolnllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkknnlnlmmmmmm"
-     "mmjknpncgkinnmmlmmmmmmmmmmmhnnpnkomnmlmmmmmlmnmepmqmmmommmmmmmmmmmmnnlmmnmmmmhpmnmlqknmjmnnmm"
-     "mmmmokmkmmmmmmiplpmlmnmmgskpmnmmmmkmlnnmmmmmmmhnmmmmmmnlmnmlmlmmllmlmmlnmmonmmmopkkmlonlmllno"
-     "mkmmnmlnnkmollmmnnmnmmmmnmpnplmrllmmgjnnm"},
-    {{{5, 790}, {16, 384}, {14, 1232}, {12, 1592}, {15, 768}, {5, 512}},
-     "oomkmlmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmononnhmonmmmmmmmllnmmmmmmmmmmmmmmmmmmmmmmmmnmkmonmnsk"
-     "lnllkmnmljpmimlqmmmlmmflnqmmmmmmnmmmmkmmmmvmpkmkommmlmmmmmllmmhjmqmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmjnmnmmmmmmgjnmmmmmmmmmmmmmmmmmkhnlmmmmmmmnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmpoknmmmmmmokjlmmmmmmmolmmmmmmmjsjlm"},
-    {{{4, 384}, {10, 135}, {11, 118}, {0, 512}, {14, 1780}, {7, 0}},
-     "kmpnmlmlmmnllnmlkklmpmklmklmomkpkomhnmnmknnmmnpmmlpnmnlmmklmmnmlmmmmlmpnkjmmklllhnjqmpllmmili"
-     "nmonkommmmmmlmmmmmmmmmmlmmmlllomollmnlmlmmnlkommnlkmlmmonlnllmpjommnmommklllmmmnlmmmmkmukojmn"
-     "mmmmpllnmmmlomknkpmnllmnflnnmloollelnpmnnmlmljmmmsjmlmqmklnonmmlkppmmlnolmoonlmmpmpkmnommmpmq"
-     "mnmllmmknlnlmlmmilmjnnnmlmljnmmlmnmmkjmkn"},
-    {{{5, 346}, {8, 51}, {16, 896}, {14, 1320}, {0, 512}, {13, 800}},
-     "omnmlmmmmmnlnmmmmmmmnkmlmmmmmmnknmmklmmmmjqlnmmmmmliplnlmmmnngnknmmmmmlinkmllmnmqnnmmmmmmmnnm"
-     "mlmmmmmnmmnmmmmmmknmpmmmmmmmjlmlmmmmmkjnommmmmmkllmmmmmmmllkqlmmmmmmmnnnhmplmklnmmonllmmnllmn"
-     "lnlmjononookmmklllmillnmklmmmqrlolmnmmmlnlmmklmnmonknmnmkmmmmponknmommmllmmlmmmlkokmmknmmpljj"
-     "momklmmmlomlmlmmqophmmoolmimnmmpmlmmtkojm"},
-    {{{0, 640}, {15, 576}, {10, 49}, {7, 21}, {13, 800}, {14, 1360}},
-     "kllnmiplommlpnmmmmmmnmlonlmmmmdmgimommmmnnkmmlklmmplpmnmkmkmmlmmmmmmlmnnlpmpllmmqoiknrmmlmmmn"
-     "nmlmlmmoolmnskkmm_qckmknnmmmmmmmlmnnmpnmlmqomlmlmlnlknmmmqpmimqoolmlmnkmlnmmmmnlmmppllmoommml"
-     "nolmnommmlnmkmknlmmnnlmmmmmmmqnmkmkpmnmjomommqlnmoolommmmmmqmnlmlqrflmmmmmfjnmnplmlmmmmmmmmmm"
-     "mfknqmvkmjmmmmmmmmmmmlomnnpmmlmqnlomommmm"},
-    {{{1, 1344}, {19, 1216}, {4, 409}, {10, 135}, {11, 118}, {6, 81}},
-     "knnommmmmmkommlmnmlmjpkomklkommkmnmnmkmmlmmmmmlmmmojmlmlmnmmlnnnmnomnlljnkmmmmmnqkmmmjmklmopj"
-     "lmmmmmmnnkommmmmmkqkkmmmmmmonlmmnnlmmommlmhkmqmnmommmmnmmmmmmmmmmmmmmmmmmmonmmmmmmplppmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmomnmmmmmmmtmllmmmmmmmmmmmmmmmmslokmmmmm"
-     "mljomnmmmmmkkmnmmmmmmolnnnmmmmmmmmmmmmmmm"},
-    {{{6, 254}, {14, 2206}, {0, 640}, {11, 118}, {5, 533}, {1, 960}},
-     "mmmmmmmmlmmmmmmmlplmnlmmmlollmlnlnmkknomnrmpmpqmmmpqlmmsnklmmmmmmnnmnmjlplmmmpjmolmnmmllnmplm"
-     "mmpkjmmonplmrklomjommlhllomglnmmkmnjmnnmmmmmmmmqllmmomlmmlmmlmokmkmnnmnmmmmmmmolmmmlmlmmmmmmm"
-     "mmmmmmllmmmmmmmmmmmmmmmmnolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqmlomqoknmmmmmmmmmmmmnmmmmmmm"
-     "mmmmmmmmmmmlmmlmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{19, 1384}, {8, 147}, {14, 1780}, {0, 384}, {1, 832}, {19, 1088}},
-     "nmmnmmlmmmmmnmmppnmmlmmmmokolmlmnmmnmmmmlnnlmhqonmqkknmnnlmmlmmmmqklmmmlmmmnlmmmolkmmkkhmnmlk"
-     "nloolnlllmmnmknmnmlklmoomlmkpommgopnmlmkmmlommmkmnlmolnkmmkkmmknnlmmmmmmjqmnmmmmmmmmmmmmmmmmq"
-     "lllmmmmmmpnkmmmmmmmiolpmmmmmmmmlmmmmmmmnminmmmmmmmkiommmmmmmmmmmmmmmmnljmlmmmmmmmmmmmmmmmjlkn"
-     "kmmmmmlnmmmmmmmmlknmommmmmmmmmmmmmmmlkmnn"},
-    {{{19, 768}, {15, 256}, {12, 1040}, {0, 512}, {18, 1392}, {4, 451}},
-     "onnlmplnlmlmmnmnmmlnnmnmmllnlmjnnllknnommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpnmomnlnlmmnm"
-     "nmmmmkmnmnlmmmmmmlnnommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmommlmlnnnmnmlmmlmmkmm"
-     "mmlmlmmlmlnmommnlmmmmmmmkomomlmjmmholmmlpkomionnmkoknmlmlnmmmmmmkmkmmlnnlmlmmmmklnmmhpmqmkmnp"
-     "mnmommlmmmmolmlmlmnmmolllmqmlkmmnlnmqklom"},
-    {{{0, 704}, {4, 570}, {12, 832}, {14, 2065}, {8, 85}, {21, 0}},
-     "mmnmmmmnlmmmnnmlmlnmgqmsmkonpmmmmmmlnkomkmlmmmmmmmmnmmmnmmmmollmmmnmnmnmolmnlllmmipknmnmnlomm"
-     "mmklmmnognjnlnnnlmmmmmnknlmolmnmkmmmmkljmnlmlmlrkklmnmmmmjonmmkmmmmmmmmmlnnlmmmmmmmmmmmlmmmml"
-     "mnlmmmmmmmmmmmlmnkmqnolnmmmmmkqqhmmmmmmilnjmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "monlmmnompnmmmmmmmmmmlmmmmplllmmmmmmmmmmm"},
-    {{{5, 790}, {0, 384}, {18, 624}, {12, 1480}, {11, 67}, {21, 0}},
-     "nmmmmnmknmpmlmlomkmminfmmjmkmmlmlnmmllomommmmmmnmmnnnnmjnnlmlonnmlnnmmmlmnmkjmlmjkokmnnlmmnnm"
-     "mlmmmmmdnkmmomnmnhmmrmklmnmmmlmmmmmnmmmmmmmlmkmrlnkmnkmmmkmlnmhmokmmmmmmjllnmmmmmmmmlmmmmmmmm"
-     "mlmmmmmmmmmlmmmmmmminiommmmmmmokmmmnmmmkpkmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmmmnlmmmmmmmmmmmmlmmn"
-     "mmolmmomlnmmmmmmolmnmnmnlmlmlkmmmmmmlmnmm"},
-    {{{6, 254}, {15, 256}, {18, 1176}, {1, 800}, {7, 21}, {13, 896}},
-     "nnlmmllommnmmnnpnnpmmnnlmklnkmnmmlmkplnmmmmlmioknmmmmlnplkmmknmmmklkjmmlnlmlolnmnllmmnmpnmmlm"
-     "mminikmmmmmmlnmmmmmmmmromlmlmmlmmlnlmknnmmnnmmmnmmnmllmmmmmlmmtmmmmnmnmmllommmmmmmmmmmmmmmmmj"
-     "mnmmmmmmmmmmmmlqnomirjommmmmmmmmmmmmmmmlnlmmmmmmmmmmmmnmmmmmnkmmmmmmmmmmmmmmmmmmknnmmmmmmmmmm"
-     "mlnkmmpmnlmmmmmmmmmmmkomomonkommmmmmmmmmm"},
-    {{{5, 357}, {18, 549}, {13, 512}, {7, 85}, {6, 85}, {1, 928}},
-     "mnmmllmmmlonlmlmmmlmmlnllnjojmnmnmlnmnlmlimnnmmmmmmmmmmmmmmmmlmmommmlmmmmmmmmmmmjnmnmmlmmmoml"
-     "mmnmmmmknnomnjoknmlnonnlmlmoklmmmmmmmmmlmmmmmmmmmlnmmmmmmnllmlmnlmlolmlmlnlmlmmlmmommlmknmnlm"
-     "mmnmmnmnlmlnlmronjmkmnmmmmlnmimmomoplnmjomomlmmnmllmmmmmnlmmmlmmllmmmnmnnmlnnmmmnnmmmmnknlkml"
-     "mpmpkmqolkmmmmmmlmmmmnmmlmkqlolonlnnmmlnn"},
-    {{{0, 704}, {1, 1136}, {0, 576}, {11, 166}, {5, 522}, {14, 2065}},
-     "mmmmmlnmmmlmnmmolmmmnlmlnnpmllmmlnmkmmmllpmomknmomrqjlmmplmmmlmlmqllmmmmmlmknnlmlmmmmlkmmmllm"
-     "lmslmomlomlmlmmmmklmmmqmmomqmnkmqlklmmknnmmlmlmnmolmmmmmmllnnmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmronlmilnkmnnmmmlmmmmnnmpmolllmijqmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmlnkmmmmmmmmmmmmmmmmkpqimmmmmm"},
-    {{{10, 64}, {11, 26}, {21, 0}, {7, 21}, {16, 960}, {18, 886}},
-     "imoomlmmlmijmlnkomnmengjmmnmnmrllnmqlmmmplnlmmmmmmnnllmmmmmmpmnmmlnmlmrmmmnmllmmlnnmmmlmmmmnk"
-     "onmmkomlnnnnollnmnlmnmpnkmmlnmmljollmmomlmklmmmlmlmmmmkmmnpmmmnmokmmlnmnmlmkmnnmmmknnnmllomno"
-     "lmnmoipmnpjnlnmmknnjllmmolomnokmmmlmlnmlomomnmmmlknmnmnlnmnmmommmonlnmnmlmnmmmlnmlmmmolmlkomm"
-     "mmmlmmnllkmolmmminlnmmnlmmmlolnkjmnmklmlm"},
-    {{{6, 246}, {15, 256}, {4, 612}, {12, 1024}, {18, 624}, {0, 384}},
-     "pommmmmmmlolmmnlmnmmmnlnmlmmmmnmlmmlnlmmmmnmmllnlmnlmmmnlmlmmmnnmmmnnmllmlmollnmnmlmmlmmmmmnl"
-     "mmlnmnmmmlmmmmmmmlnnmmnlmlmmlnmmllolmnjmmmninjmnljnlkmlmlkmnnmmkmmmmmmmmmmmmmnmmlmkonmmmmmmmn"
-     "mmlmmmmmmhrlomnmmmmmmmmmnmmmmmmmmmmmmmmmmmmmnmmmmmlkmmmmmmmmmmmmmnlnmlnmmmlnmnmmolmmmnllmommm"
-     "mmmmmmmmmmmmmmmmmmmmmilkmmmmmmmlplnlslklm"},
-    {{{11, 237}, {6, 130}, {4, 365}, {21, 0}, {11, 48}, {18, 1060}},
-     "mmmmmmmmmmmknnnrllpmkmmlmjmmlmmmmmmplmkllknlmmlnlmmnlmlmmmmmomnmmmmlnmmmlmmmlmlmlmllmkmlmminp"
-     "nmqmmomlmlmmknlommnlmmnnlkmknlmmnmmmmnnonnnmmmmnmnmmmmmlmmolnnnlllmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmljmnnlkmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlkqknjjplpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnnmmolm"
-     "mmmmmmmmmmmsolmmpoiommmmmmmmmmminonmempkm"},
-    {{{5, 790}, {16, 384}, {0, 512}, {18, 1364}, {15, 704}, {11, 134}},
-     "lmmmmnnmmmmmmmmllmnmrmmompmlommmmmmmmmmmilpmnnmmmmmmmmmmmmmmlmnllmmmmmmmmmmmmmmmmmmmmmmmnmmon"
-     "mmmmlmmmmmmmkomllomllmjmmnmnmmmmnlmlmolnlmlmmnmlmmomnlolmmmkpmskjnmmmmmmmmmmmkjnmmmmmmmmmmmmm"
-     "mmmmillmmmmmmmjnmnmmmmmmlmnmmmmmmmlmmmmmmmmmjnmmmmmmmmknlnmlmlmmkpkmmmmlmmmmmommnlmmmmkmmnmkm"
-     "msmllmmmmmmjnlkmmmmmmnnmmmmmmmmmmmmmmmmmm"},
-    {{{12, 1986}, {8, 0}, {7, 21}, {13, 896}, {0, 512}, {14, 1416}},
-     "lmlnlipkomhlllnfomnmmlonmnmmlmsnjlmmnmnmmlmmmmnmknmmnnmkmnmmfnhjmknnmmmnmnmmmmmmnmmmmmmmmmmmm"
-     "mmommlmlmnomjmnlmpnojmmmllmmmmmmmmmmmlmmnmnlmnmpmnomomlmmnolnmpmlmmmmmmmmmmmmmmmmmmmmmmmmllmm"
-     "oknmmlnmmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlnmmmmmmmmmmmmmmmmmmmmmnlmnmipnommmmmmmmmm"
-     "mmmmmmjomlmmmmmmmmmmmmmonmlnmnmmllmonmlmn"},
-    {{{12, 1540}, {4, 384}, {5, 469}, {15, 640}, {11, 105}, {10, 85}},
-     "knmmmjmmnmnmlmmnmnmmommmmmnmmmmmmmmkqlmlnmmmmkmlnnlnlmmlmmmmkllnmjmkomllmmmolmnmmmlmmmmmmmqmm"
-     "mmmlmmmlnklmlmnmmmnmnmllnkmnlmlmnlnmmilpmmmllmnqlokmqpommonmkmmmnlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmminmlmmmmmmkmmnmmmmmmlnlnmmmnmmmmmmmmmmmmlmlmmlmlmmonllmmmmm"
-     "mlmmmmmlnlnknlmmmmmmmoojmmspmlmhlmpmkmlmm"},
+    {{{1, 1328}, {3, 1312}, {14, 1652}, {12, 1264}, {7, 21}, {10, 5}},
+     "kknnmmmlmmmknmnmmmmmmlqmmnlronanehmmmmonjqkommmmlmkolpmlnmlmpmmlmlknlmomkmmqllmmookkmmpjmmmnl"
+     "mmnplmloqmkmlmlpnmmmmmonknmlmknmmlmnnmmmmmnmomnmngnmjlknmmmmmmkmjnmmmmmmplmlmmmmmmslmmmmmmmml"
+     "nmlmmmmmmknmnmmmmmmrlrtmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm{moimmmmmmmmmmmmmmmmikknnmmmmmhmln"
+     "mmmmmmlgpmnmmmmmnlmmmmmmmmnklommmmmmllknl"},
+    {{{5, 788}, {12, 1644}, {0, 384}, {14, 1924}, {11, 46}, {3, 992}},
+     "olmmmnmmnmommnmomkmmmmlkmlnolmmnmnmjrpmmllnmmnlnkmmmmlmmnmmmiplommlmnmlkmlmnmmlmmmmmmjonnmmmm"
+     "mmjkkpmmmmmmjqmommmmmmgkmnmmmmmmmkolmmmmmmflmrmmmmmmrkkmmmmmmmijlnmimiomilnmmlmmmmnmllmjnipmo"
+     "mjmmlpknmomjmmopjomsjmjmlnmmmknmnmkolomqljnmnmmmmommnmmmmmmlskmmmmmmmmmmmmmmmmmkpmmmmmmmmmmmm"
+     "mmmmmmgojjmmmmmmlmmmmmmmmmmllmmmmmmmlnmmm"},
+    {{{5, 788}, {16, 384}, {14, 1248}, {15, 384}, {0, 384}, {13, 512}},
+     "oomllmmmmmppmkmkmnjmmmlnmmmmmmmnllmmmmmmponqnmmmmmlmolminlmmlmkommmmmmimnomlnpmmpmnmmmmopnmln"
+     "mllmmnmnljnmkllnmlmlmmklmnmolllmmmlkmlmnmnlnkmmmnmmmkonmmnlmmmpknlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmhkmommmmmmckmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmlmmm"
+     "mmmmmmmmmmmmmmmmmqlmmmmmmmlqimmmmmmmookmm"},
+    {{{19, 704}, {0, 576}, {13, 800}, {15, 256}, {16, 768}, {21, 0}},
+     "pmommonnlmojokmnmnmmpnoqmlmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlomnnmnlmnmn"
+     "nllmnmmmlnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmlommnnlmlmnkmlmllmnmk"
+     "mknmmnmlmmmmmmlmmlmirlomomknmjmknmjmpnmnlmmmkmmmmnlommmmmmmkommlmmmnmkonnmjkpmmmmmlmmmnnmlnmo"
+     "mklokmfqlnmlskpmjqlomlmmlmrqjkmsoilmronkm"},
+    {{{19, 640}, {11, 240}, {7, 21}, {5, 699}, {14, 2112}, {0, 512}},
+     "qonlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpmolmolommmmmmmkmnmmmmmmmmmmmmmmmmmmmmmmnnmlmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmlmmlmmmollnmknnlmq"
+     "njlmrkmmmnolommmllmmmmnmlonlmlnmpm`pdlmnmlkmkonlmnnmmmjnpllnpqimipmlllnlmmjomnminonmmommllnnl"
+     "mjmnnniiomnkmnmmjlnmmmmmmmkmnmmmmmmmjmnlm"},
+    {{{3, 1352}, {8, 151}, {1, 1216}, {4, 384}, {21, 0}, {14, 1768}},
+     "lmnnmnkomnlnlmmlnlmmlmmmmnmmmmolnmmmmmlmnkpnmwlpsmpnnkmjlmlmmmmmmmmmmmmnlmmmmmmmollmmqknlmkmj"
+     "pmkliomonllmkppmmqnlmmlmmlmvpmimjpjmmlpllmlokmmnollmknlmmmnllmlokmmmmmmmmmmmmlmmmmlmlmmnojnmo"
+     "njomoolmmkojommmmmmmmmmmmmmmmhlhmmklnnmjlmnmnonilmmmmmmmmmmmmmmmmmmmmmmmmmmoommhnnmmmojmljmmn"
+     "nmmmmmmmmmmmmmmmqkmmmfkoqmmkllmkljnklinmn"},
+    {{{14, 2198}, {12, 800}, {16, 928}, {21, 0}, {11, 46}, {10, 85}},
+     "jnmolmkommnnmommmnnmlnnmmmnnpmonlllnlmlmahkjnnfpjnsmnkmnkolmmmmmmjnnpmmmmmmllmlmjlllmmknlnmlm"
+     "mmnmmmmnmnmmjmkomknllmlmllmomlmmojolnjmlomlqlmlnmmmmlnommlnmlmmllmmjonomlmmmmmmmmmmmmmmhmnmmm"
+     "mmmmmmmmmmmmmmfpmrmmlmlmommqmmmmmmlmmmmkmmnmmmmmmmmmmmokolmmllnmjmnnmommnmomlnmjnjnmnnlmlnlmm"
+     "mtlllmqlolmrkinmsmpkmollmmlkmnmololljolom"},
+    {{{6, 245}, {15, 256}, {12, 1168}, {14, 1360}, {1, 928}, {0, 384}},
+     "pnnnnmmnmmponlmonmklplmknlmmlmnmmmmmlolokmoonomlpnmmmmmkrlokmmmlmolklmmmmmmlqkommllnmmmlnmnnl"
+     "mllnmmmknnlmlnmmmnnlomllnmmlllnmllommonommkmmnmknommpknlmnmlmmmmllmonmmmkommmmmmmmmmmmmpnmmmg"
+     "smpmmmmmmmmmmmkmmmmrknkmmmmmmmmmmmmmmmmfqjpmmmmmmmmmmmlmmnmnmmmmmmmmmmmmmmlojlmjplpmmmmmmmmmm"
+     "mjmonmqmnmmmmmmmmmmmmmommmqllmmmllmmojmlm"},
+    {{{19, 1200}, {14, 2028}, {15, 256}, {12, 1024}, {7, 21}, {11, 128}},
+     "nnnlmmnlklnlmlmolnlnjomlminmnnnnlmmmlmmnllmmmmmlnmlmmnmmkmmmnlommlmnmmmmklmmknnmkonnmmmmmmjnn"
+     "nmmnmnmhqkommmmmmjplpmnnlnmgpmqmnmlkmjnmnmnnnmlnlmlmpnnnmmnmmmsllnlmmmmmmmmmmmmmmmmmmmmmknlmm"
+     "mmmmllpmnmmmmmjlllnqqljmnnmnlmnlmmnpmlmjmmnmnnmlmmolmmmmmmmmmmmmmmmmmmmmmmjniommmmmmqllmmmmmm"
+     "mmkmmmnnmlmlmmnnpllmmomlnmikmomkmmmmnmpll"},
+    {{{5, 788}, {12, 1644}, {2, 832}, {14, 1832}, {5, 501}, {19, 992}},
+     "mmmmmnklmmlmnmmlmnmmlmmmmlnnmmnnlmmnlnlmnnmnnnplmmllmnnpmnkmniojmmmmmmmknomslmmmmmmmmnlkommmm"
+     "mmjlnmmmmmmmhpnnmmmmmmmmlnmmmmmmmmmmmmmmmmiknqmmmmmmnmlmmmmmmmikmnmmmmmmmmmmmmokomqlmkmmmmmmm"
+     "mmmmlokomomlnmmmmmmmmmmmillomiknlmmmmmmmmmmmjmlnmnlkmmmmmmmmmmmmmmmmmnnmmmmmmmmmmmmmmmmmmlomm"
+     "mmmmmmmmmmmmmmmmjrllmmmmmmmmmmmmmmmmhkjmm"},
+    {{{0, 576}, {15, 576}, {14, 1424}, {11, 0}, {12, 928}, {21, 0}},
+     "jjnmmnlmomhmlmnnkommmmnmmnnlmmmmlomklmoninmomkomomnmllmmmmmmnmlmmmlnkmnlllmlkmkmfjlkolplpniok"
+     "lmrllkmmmlmllmknmonllmnlmmmhklmmlojolmpommmmmmmlmnnmlllmmmnonmnmmmmmnmnmopmnmnmmkmtrjnmknmllm"
+     "nlmmmolmmlnmnmlmmmmimommqnlmmjommmknmnmmmnmmnmkmmomlmmmmmmmolmmmmmmmmnmmmmoknnmknmpnflopnknnm"
+     "mmmmmmqlmlmommmmolnkmtmnkmnknmmokmlmtmkkm"},
+    {{{5, 338}, {8, 54}, {3, 1072}, {1, 928}, {20, 0}, {15, 512}},
+     "olmmlmmmmmklnmmmmmmmmlomnmmmmmnlmmnmmmmmmjolmmmmmmkimlnmmmmmmjpjnmlmlmpfnhmmmmlmpnmnkmmmmmknm"
+     "nmnlmmmpnnkmmmmmmmmnlnmmmmmlkmnmlllolllmmmmmmmnnlmlmlmkmkllmmmjlmmmmmmmmmlmmmmnmmmnmmnmllolml"
+     "jnkmnmlmmlmjnmnmnnmlnklmmlmnmpmlnmnqlnlgmllminmnmlnkpmlmlmmnllnnlmmkmnlnlmmnnlmklmnmommomrknn"
+     "mlllnmplnlmknmmmlnommmkmlmnommmjkllmnmlmm"},
+    {{{11, 240}, {5, 559}, {0, 576}, {15, 704}, {14, 1424}, {16, 768}},
+     "mnmmmmlmmmmllmmmmmlmrkmknnpllmqjonmnmmmmmmlmmmnmmmnkolmmnmnmnmnmmonlomnlnmmpllnmommnmkmnmmlmm"
+     "ommlnmmnllomlllnmiklmmmolnmopjmmspkmmkollmoolnmlmmmmeknpmnmljmpknlmnnmmmnmommklolnhlrlnnllmmm"
+     "mmmmmlmnnmmmmmllmnmnmmmmnlnlnlknlnmlnmmghmnnmlnmmmmmmmlnonmnommmjonlldpmmmmmlmmmmmmmnmlnmmmmm"
+     "mnmommnmllmnmokmempkmmmmmmmpphmnmnnmmmmmm"},
+    {{{6, 245}, {16, 1528}, {0, 384}, {12, 1264}, {18, 1377}, {7, 0}},
+     "nmmnmnmmmmmmkmmmnnlmmmonmlmknmmmlmmiponmmmmlmmmmmmjmkomlnmnmmmnmmmmmmmnknmmnlllmmmmmmnmmmmmmm"
+     "mmmkmnmmmmmmnmkmmmmmmmkklmnmmmmmlmnlnmmmmmnjmnmmmmmmmmlmkmmmmmjkkomnmllmmmmmmnmklmmmmmmkommmm"
+     "mmmmomnlmmmmmmkplnmmmmmmhrnpmmmmmmolmlmmmnmmnmlnmmmlmmmmmmmmmmmmmmmmmmmmmmjqknmmmmmmlolnmlmmm"
+     "mmmmmmmmmmmmmmmmmmmmmrmllmolllmomjmmknkom"},
+    {{{5, 744}, {3, 1104}, {13, 1024}, {0, 512}, {18, 1377}, {7, 21}},
+     "mmmmmmmmmmlmlmmmnllmmmmmmmmmmmknlnljompmkmpmmimkkmmlnlmqkllmnnlmmkmllmkolnmlmnmmonnlmlmmmmpml"
+     "mmkmmlmnmmlmnmmmmplkommlmnmkmlomplnnmkmmnmrmmmmnlolmqolnmqkonmnmlnmimkommmmmmjojnmmmmmmlnlnmm"
+     "mmmmiomnmmmmmmnmnlmmmnmmplmmmmmmmmrmklmmmmmmmolnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmpkmmdpfmmomlmmlnmmminmkmlmllmmmmmmnmmmm"},
+    {{{10, 145}, {11, 112}, {4, 412}, {6, 82}, {5, 512}, {1, 960}},
+     "komomjloknlmmmmpknnmllmmmomonnmmmmmklmlmmmmmmlmlmmuoplmwnnlmnlmmmllmlmmmmmmomnlmmmlmlkqlmllol"
+     "nmslmkmmmlmmonnlmmnmmmnmommokmlmnnknmmmmmmjknmmnlnmmmmmmminmnmfknpmlnlnmkokqmmmmmmmmmmmkmmnmj"
+     "mlommmiomkjnnmlonnmnmmlmmmmmmmmmmmmomnlnonmllpnnmmmmmmojnlnmommmljnonlkmpnlmlnlmnmmlnninmmmkn"
+     "mmjnlnijoinmmmmmmmmmmlmmmnmmnlmmmmmmmmmmm"},
+    {{{5, 362}, {18, 550}, {14, 1768}, {3, 1104}, {1, 960}, {8, 64}},
+     "nmmlmonmmlnmnlmomnklljnlnlimnnmipjnnmmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmklnmnommompmlmmomn"
+     "mmnnomolomomkmlpmmlnmmnnkmkllmmmlnlommkolplmnknlkmnmlmmnmognimllnmnlnmnmmmlnmlnmmmmnlmlomlmno"
+     "mmmmjloonlnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnmmklmnmmmonnjmnnmnmmmmnlolnknmlmromk"
+     "mmmmmmmmmlmmlmlmplnmmomlmmmmommjmlnmlnlmm"},
+    {{{5, 699}, {7, 16}, {11, 240}, {21, 0}, {11, 56}, {6, 122}},
+     "jnmmmlmmnmnlmlmlnpnmplmmmlmmmmmlmmmmmlmmmmmmmmmmmmpnnmmpnlkmmmmmmmmmmmonojmjnnllnkmlmnmlmmlnl"
+     "mlommmmmnmnmlmmlnnmmmmmmmmmmmmmmmmmmmmmmmmupjmlmmmmmmmmmmiiomoglqlmmmmmmmmnmmmmmmmlmonmmmmmmn"
+     "mlmmnmmmmsllkmmmmmmmmmmmmmmmmnmmlmmmmmmmmmmmmmmmmknmmmmmmmmfphlmmmmmmmmmmmmmmmmnnlmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmhmolm"},
+    {{{0, 704}, {14, 2028}, {15, 256}, {12, 800}, {7, 45}, {4, 554}},
+     "nnnkmonmmmolnmmnknlmmolmmklnmnmmmmmomlmmkmmnmnmmmmnlnmmmjolmmmmmmlmmmmmmlmmmkmmmllmmmmmmmmlon"
+     "nmmlmlmhqmomkmkmmkpmpmnnlnmhonommmmmmknmpmmjmlmnmmmmlmmmmnnmmmmlmmmmmmmmmmmmmnnmmmmmmmmmmmmmm"
+     "mmmmmonlmmnmmmnmmmmmmmmmmmnlmmmmmmlmrlmmmmmmqnnmmpnlnmmmmmmmmmmmmlnlmmmmmmmmmmmmmmmmiknjmlmmm"
+     "mmmmmmmmmmmnlmlmmmmmmhmnlmmmmmmiknkmolllm"},
+    {{{10, 145}, {11, 112}, {13, 384}, {18, 1047}, {3, 1200}, {21, 0}},
+     "llmlmolnmmkkolnonnmmnlmnmmlmlmoknlnlmmnmlmmmmomnmmnnmmmlnmmmnmmlmlmmmmnollmlmmmmlnmmmmnmmmjoj"
+     "mmkpilnolmmmmlmlmqmkpmrnmkmmmonmkmmnmolnnmllmmmommlmnmmlmhlnnmnkmmmnlmmlnmmnlnmolmnmnmmlommnl"
+     "nmomnlolmmmmmmnoknkknkpmmommmnmnnnkpnmnjnlommmnmmolknlmlmnnllmnmlomlmkknllmlmmmlkmknlnolmjmmm"
+     "mnnlmmlmlnnmmmmmlmmmmlklnmmlmlmmmmmmmnmmm"},
+    {{{10, 74}, {5, 472}, {11, 128}, {0, 384}, {19, 1040}, {1, 960}},
+     "omlmmnmmmmlnmnmknmlmmmmnmmmmlmkokomlmkmmnokmlmmmmmonommmmmmmomlmmonlmlqonjmpmkmnmmmlmmllomlnl"
+     "nmplmmmmmmmmllnmmnlmmmjlmlmlnlmlmmmmmmllnmlllnmkmmmmmnlmminnmmlmlmmmmmmmnmmmmkmomnlmlmmlnmmml"
+     "mnlmnlnmmlnmmmlnnonnmmlmomoomllmmmmkmlnnmnkmojmmmjpllmmmnmmmnnnmmnonmlokomlmlmmklmnnrkokmqlnk"
+     "mmmjmmomnpmlmlnmmokmmmmmmmnmnmmpkoomlmlmm"},
+    {{{0, 640}, {4, 528}, {12, 864}, {14, 2136}, {11, 93}, {6, 104}},
+     "lmmnmmmmmmnmmmmmnmmmjnlpmjompmmonpmnmlmmpmnlmlmmlmlmlmmnmmmmqllmmnmmmmlnplmlnknmlknlmolmlmnmm"
+     "mmonmmmllnmmmmmmmmmmmmmmmmmlnlmmlmmmmolmmmnmmomlmmmmnmmnmlmmomgmmmmlnnlnkknjnomnmmmlolmklnlmm"
+     "mmmmmnmnmmmmmmromlmoslnmimnmmnmmlmilnkmjnnkmolmlmhmokmnomnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mlplpmmmmlmpolommmmmmknlommmmmmqkllmmmmmm"},
 };
 /* To here. */
 /* clang-format on */
