@@ -19,6 +19,15 @@ static void list_cell(const fmb_mesh *m, const uint32_t *ids, uint32_t number, l
     out->plane = fmb_plane_of_cell(&out->cell);
 }
 
+/* Is a flat triangle beside the plane of another one, but for what they share? */
+static bool is_flat_and_beside(const listed_cell *flat, const listed_cell *other)
+{
+    return flat->faults == FMB_MESH_FLAT && !other->faults && flat->cell.corners == 3 &&
+           other->cell.corners == 3 &&
+           fmb_triangle_is_beside(&other->plane, &flat->cell,
+                                  fmb_cell_common(&flat->cell, &other->cell));
+}
+
 static fmb_status decide_cells(fmb_tree_walk *x, const listed_cell *a, const listed_cell *b,
                                unsigned common, fmb_mesh_how *how)
 {
@@ -32,6 +41,10 @@ static fmb_status decide_cells(fmb_tree_walk *x, const listed_cell *a, const lis
         *how = fmb_decide_tetrahedra(p, q, shared);
     if (alike && (p->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
         return FMB_OK;
+    if (!x->plan->o->motion && (is_flat_and_beside(a, b) || is_flat_and_beside(b, a))) {
+        *how = shared > 0 ? FMB_MESH_SHARE : FMB_MESH_APART;
+        return FMB_OK;
+    }
     x->out.framed++;
     FMB_TRY(fmb_run_poll_now(&x->run));
     return fmb_mesh_decide_frames(&x->frames, p, q, (b->faults & FMB_MESH_FLAT) != 0, how);
