@@ -45,7 +45,7 @@ static fmb_status reserve_row(fmb_program *p)
 
 static void fit_row_into_doubles(fmb_program_row *r)
 {
-    r->shift = r->value->z ? (int)fmb_vec_most_bits(r->value, r->size + 1) : 0;
+    r->shift = r->value && r->value->z ? (int)fmb_vec_most_bits(r->value, r->size + 1) : 0;
 }
 
 fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const int *place,
@@ -105,6 +105,12 @@ static void drop_last_row(fmb_program *p)
     p->m--;
     fmb_mem_put(p->mem, p->row[i].column, size, sizeof(int));
     p->terms -= size;
+}
+
+void fmb_program_shorten(fmb_program *p, size_t m)
+{
+    while (p->m > m)
+        drop_last_row(p);
 }
 
 /* Keep the last row, which was filled in with that status, or remove it after an error. */

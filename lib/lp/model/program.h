@@ -34,13 +34,15 @@ void fmb_program_init(fmb_program *p, fmb_mem *mem, int n);
 void fmb_program_clear(fmb_program *p);
 
 /* Append a row of `size` terms, where variable var[k] is column place[var[k]] (NULL: column
- * var[k]); value[size + 1] is borrowed, var and place are not. Columns must increase. Errors:
- * MEMORY, LIMIT. */
+ * var[k]); value[size + 1] is borrowed (NULL: none), var and place are not. Columns must increase.
+ * Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const int *place,
                            const fmb_vec *value, fmb_rel rel);
 /* The same with value copied, where variables are columns. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_add_copy(fmb_program *p, size_t size, const int *column,
                                 const fmb_vec *value, fmb_rel rel);
+/* Remove the rows from number m on. */
+void fmb_program_shorten(fmb_program *p, size_t m);
 /* Give row i, whose value the program made, another right side. Errors: MEMORY, LIMIT. */
 fmb_status fmb_program_set_right(fmb_program *p, size_t i, const mpz_t b);
 /* Append a dense row v[n + 1]: copied without its zeros. Errors: MEMORY, LIMIT. */

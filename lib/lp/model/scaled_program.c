@@ -189,6 +189,20 @@ fmb_status fmb_scaled_program_grow(fmb_scaled_program *f)
     return FMB_OK;
 }
 
+fmb_status fmb_scaled_program_append(fmb_scaled_program *f, const double *a, double right)
+{
+    size_t i = f->m, size = f->p->row[i].size, from = i > 0 ? f->start[i] : 0;
+    FMB_TRY(reserve_real_rows(f, i + 1, from + size));
+    memcpy(&f->value[from], a, size * sizeof *a);
+    f->start[i] = from;
+    f->start[i + 1] = from + size;
+    f->right[i] = right;
+    f->exponent[i] = 0;
+    f->off[i] = false;
+    f->m++;
+    return FMB_OK;
+}
+
 fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fmb_program *p)
 {
     *f = (fmb_scaled_program){.run = run, .p = p, .n = (size_t)p->n};

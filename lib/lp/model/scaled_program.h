@@ -36,6 +36,9 @@ fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fm
 void fmb_scaled_program_clear(fmb_scaled_program *f);
 /* Copy the rows that the program got since. Errors: MEMORY, LIMIT. */
 fmb_status fmb_scaled_program_grow(fmb_scaled_program *f);
+/* Copy the next row of the program, which has no value: its terms are a[size], about 1. Errors:
+ * MEMORY, LIMIT. */
+fmb_status fmb_scaled_program_append(fmb_scaled_program *f, const double *a, double right);
 /* Use the right sides right[m], of rows as they are in doubles (program.h); NULL: the program's. */
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right);
 /* The right side of row i has changed in the program: copy it. */

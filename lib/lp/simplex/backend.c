@@ -334,7 +334,8 @@ fmb_status fmb_backend_open_with(fmb_run *run, const fmb_program *p, bool factor
     d->cost = fmb_mem_get(run->mem, d->scaled.n, sizeof *d->cost);
     if (st == FMB_OK && !d->cost)
         st = fmb_mem_status(run->mem);
-    FMB_THEN(st, fmb_simplex_state_init(&d->state, &d->scaled, factors));
+    FMB_THEN(st, fmb_simplex_state_init(&d->state, &d->scaled,
+                                        factors ? FMB_INVERSE_FACTORS : FMB_INVERSE_BY_SIZE));
     if (st == FMB_OK)
         *out = d;
     else

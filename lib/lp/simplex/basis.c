@@ -12,10 +12,10 @@
 static fmb_status hold_places(fmb_basis *b, bool get)
 {
     const size_t d = b->most_d;
-    return FMB_ARRAYS_IN_BLOCK(
-        b->mem, get, FMB_ARRAY(b->basic, d), FMB_ARRAY(b->old, d), FMB_ARRAY(b->edge, d),
-        FMB_ARRAY_ZERO(b->value, d), FMB_ARRAY_ZERO(b->normal, d), FMB_ARRAY(b->entry, d),
-        FMB_ARRAY(b->rest, d), FMB_ARRAY(b->length, d), FMB_ARRAY_ZERO(b->is_mirrored, d));
+    return FMB_ARRAYS_IN_BLOCK(b->mem, get, FMB_ARRAY(b->basic, d), FMB_ARRAY(b->old, d),
+                               FMB_ARRAY(b->edge, d), FMB_ARRAY_ZERO(b->value, d),
+                               FMB_ARRAY_ZERO(b->normal, d), FMB_ARRAY(b->entry, d),
+                               FMB_ARRAY(b->rest, d));
 }
 
 /* Allocate or free the arrays by column. */
@@ -24,8 +24,7 @@ static fmb_status hold_columns(fmb_basis *b, bool get)
     const size_t n = b->capacity;
     return FMB_ARRAYS_IN_BLOCK(b->mem, get, FMB_ARRAY(b->at, b->most_d * n), FMB_ARRAY(b->range, n),
                                FMB_ARRAY(b->is_high, n), FMB_ARRAY(b->is_basic, n),
-                               FMB_ARRAY(b->price, n), FMB_ARRAY(b->gain, n), FMB_ARRAY(b->cost, n),
-                               FMB_ARRAY(b->candidate, n));
+                               FMB_ARRAY(b->price, n), FMB_ARRAY(b->gain, n));
 }
 
 fmb_status fmb_basis_init(fmb_basis *b, fmb_mem *mem, const fmb_kernels *kernels, size_t d)
@@ -63,8 +62,6 @@ fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
         memcpy(b->range, old.range, old.size * sizeof *b->range);
         memcpy(b->is_high, old.is_high, old.size * sizeof *b->is_high);
         memcpy(b->is_basic, old.is_basic, old.size * sizeof *b->is_basic);
-        memcpy(b->gain, old.gain, old.size * sizeof *b->gain);
-        memcpy(b->cost, old.cost, old.size * sizeof *b->cost);
     }
     (void)hold_columns(&old, false);
     return FMB_OK;
@@ -89,7 +86,6 @@ fmb_status fmb_basis_add(fmb_basis *b, const double *v, fmb_range range)
     for (size_t k = 0; k < b->d; k++)
         b->at[k * b->capacity + b->size] = v[k];
     b->range[b->size] = (uint8_t)range;
-    b->cost[b->size] = b->gain[b->size] = 0;
     b->is_high[b->size] = b->is_basic[b->size] = false;
     b->size++;
     return FMB_OK;
@@ -102,11 +98,8 @@ void fmb_basis_empty(fmb_basis *b)
     fmb_dense_inverse_restart(&b->inverse, b->d);
     if (b->size > 0)
         memset(b->is_basic, 0, b->size * sizeof *b->is_basic);
-    for (size_t k = 0; k < b->d; k++) {
+    for (size_t k = 0; k < b->d; k++)
         b->basic[k] = SIZE_MAX;
-        b->length[k] = 1;
-        b->inverse.at[k * b->d + k] = b->is_mirrored[k] ? -1 : 1;
-    }
     b->pivots = 0;
 }
 

@@ -26,22 +26,15 @@ typedef struct fmb_basis {
     double value_zero, entry_zero; /* less counts as a rounding error of 0: in values and
                                       gains; in entries that are pivots */
     size_t d, most_d, size, capacity;
-    double *at;        /* [d][capacity]: number k of column j is at[k * capacity + j] */
-    uint8_t *range;    /* [capacity] of fmb_range */
-    bool *is_high;     /* [capacity] at its upper bound */
-    bool *is_basic;    /* [capacity] */
-    double *price;     /* [capacity] scratch: a row of the inverse times each column */
-    double *gain;      /* [capacity] reduced costs: cost minus prices times column */
-    double *cost;      /* [capacity] costs, if the dual method has some */
-    bool has_cost;     /* it has, and unit vectors must be >= 0; */
-    double enough;     /* it stops if the objective is less than this */
-    double unit_cost;  /* of unit vectors */
-    bool *is_mirrored; /* [d] the unit vector of that place is negated */
-    size_t *candidate; /* [capacity] scratch: columns that may enter */
-    size_t *old;       /* [d] scratch */
-    size_t *basic;     /* [d] column of each place of the basis; SIZE_MAX: a unit vector, unused */
+    double *at;     /* [d][capacity]: number k of column j is at[k * capacity + j] */
+    uint8_t *range; /* [capacity] of fmb_range */
+    bool *is_high;  /* [capacity] at its upper bound */
+    bool *is_basic; /* [capacity] */
+    double *price;  /* [capacity] scratch: a row of the inverse times each column */
+    double *gain;   /* [capacity] reduced costs: cost minus prices times column */
+    size_t *old;    /* [d] scratch */
+    size_t *basic;  /* [d] column of each place of the basis; SIZE_MAX: a unit vector, unused */
     fmb_dense_inverse inverse; /* of the basis */
-    double *length;            /* [d] squared lengths of the edges; 1 if there is no cost */
     double *value;             /* [d] of the basic columns, after a search */
     double *normal;            /* [d] after a failed search: separates the target from all sums */
     double *edge;              /* [d] scratch: a row of the inverse */

@@ -14,11 +14,13 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program *f, bool factors)
+fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program *f,
+                                  fmb_inverse_kind kind)
 {
     size_t n = f->n;
     fmb_mem *mem = f->run->mem;
-    bool sparse = (n > FEW_COLUMNS || factors) && fmb_way(FMB_WAY_FACTORED);
+    bool large = kind == FMB_INVERSE_BY_SIZE ? n > FEW_COLUMNS : kind == FMB_INVERSE_FACTORS;
+    bool sparse = large && fmb_way(FMB_WAY_FACTORED);
     *c = (fmb_basis_inverse){.f = f, .n = n, .lu.f = f, .has_inverse = !sparse};
     fmb_way_answered(FMB_WAY_FACTORED, sparse);
     c->member = fmb_mem_get(mem, n, sizeof *c->member);
@@ -85,6 +87,9 @@ fmb_status fmb_basis_inverse_set(fmb_basis_inverse *c, const size_t *member,
     fmb_dense_inverse_restart(&c->inverse, c->n);
     for (size_t r = 0; r < c->n; r++)
         c->member[r] = FMB_UNIT + r;
+    for (size_t r = 0; r < c->n; r++) /* these stay at their places */
+        if (c->old[r] >= FMB_UNIT)
+            c->inverse.is_unit[c->old[r] - FMB_UNIT] = false;
     for (size_t r = 0; r < c->n; r++)
         if (c->old[r] < FMB_UNIT)
             span_member(c, c->old[r], entry);

@@ -10,6 +10,12 @@
 #include "lp/linalg/doubles/updated_lu.h"
 #include "lp/simplex/dense_inverse.h"
 
+typedef enum fmb_inverse_kind {
+    FMB_INVERSE_BY_SIZE,
+    FMB_INVERSE_FACTORS,
+    FMB_INVERSE_EXPLICIT
+} fmb_inverse_kind;
+
 typedef struct fmb_basis_inverse {
     const fmb_scaled_program *f;
     size_t n;
@@ -23,12 +29,13 @@ typedef struct fmb_basis_inverse {
     bool failed;   /* memory ran out: recompute before any use */
 } fmb_basis_inverse;
 
-/* A basis of unit vectors, with factors or whatever seems best. Errors: MEMORY, LIMIT. The caller
- * must call fmb_basis_inverse_clear even after an error. */
-fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program *f, bool factors);
+/* A basis of unit vectors. Errors: MEMORY, LIMIT. The caller must call fmb_basis_inverse_clear even
+ * after an error. */
+fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program *f,
+                                  fmb_inverse_kind kind);
 void fmb_basis_inverse_clear(fmb_basis_inverse *c);
 
-/* Use these members, with unit vectors in place of dependent ones; places may change. entry is
+/* Use these members, with more unit vectors in place of dependent ones; places may change. entry is
  * scratch. Errors: MEMORY, LIMIT. */
 fmb_status fmb_basis_inverse_set(fmb_basis_inverse *c, const size_t *member,
                                  fmb_indexed_vector *entry);

@@ -94,3 +94,22 @@ void fmb_dense_inverse_edge(const fmb_dense_inverse *v, size_t r, double *edge)
     for (size_t j = 0; j < v->n; j++)
         edge[j] = v->at[j * v->n + r];
 }
+
+/* Four at a time, for parallel execution. */
+void fmb_dense_inverse_measure(const fmb_dense_inverse *v, double *square)
+{
+    size_t n = v->n, r = 0;
+    for (; r + 4 <= n; r += 4) {
+        double sum[4] = {0};
+        const double *at = &v->at[r];
+        for (size_t k = 0; k < n; k++, at += n)
+            for (size_t i = 0; i < 4; i++)
+                sum[i] += at[i] * at[i];
+        memcpy(&square[r], sum, sizeof sum);
+    }
+    for (; r < n; r++) {
+        square[r] = 0;
+        for (size_t k = 0; k < n; k++)
+            square[r] += v->at[k * n + r] * v->at[k * n + r];
+    }
+}

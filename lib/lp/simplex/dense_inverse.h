@@ -15,7 +15,7 @@ typedef struct fmb_dense_inverse {
     size_t n, most_n;
     double *at;    /* [n][n] number j of edge r is at[j * n + r] */
     double *work;  /* [n] scratch */
-    bool *is_unit; /* [n] no vector has taken that place yet */
+    bool *is_unit; /* [n] no vector has taken that place yet, and one may */
 } fmb_dense_inverse;
 
 /* A basis of n unit vectors. Errors: MEMORY, LIMIT; call fmb_dense_inverse_clear even then. */
@@ -34,6 +34,8 @@ void fmb_dense_inverse_replace(fmb_dense_inverse *v, size_t r, const double *ent
 /* Put it in place of the unit vector that suits best, and return that place. SIZE_MAX: no pivot is
  * larger than least. */
 size_t fmb_dense_inverse_span(fmb_dense_inverse *v, const double *entry, double least);
+/* Squared lengths of the edges. */
+void fmb_dense_inverse_measure(const fmb_dense_inverse *v, double *square);
 void fmb_dense_inverse_edge(const fmb_dense_inverse *v, size_t r, double *edge);
 
 #endif

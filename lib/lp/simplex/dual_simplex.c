@@ -182,33 +182,12 @@ static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, siz
     return st;
 }
 
-/* The result is checked once more with a recomputed basis. */
 fmb_status fmb_dual_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
 {
-    bool fresh = true;
-    int looks = 0;
     for (size_t i = 0; i < o->m; i++)
         o->row_weight[i] = 1;
-    fmb_status st = fmb_simplex_state_refresh(o);
-    list_all_violated(o);
-    *end = FMB_SIMPLEX_RUNNING;
-    while (st == FMB_OK && *end == FMB_SIMPLEX_RUNNING) {
-        if (o->steps > fmb_simplex_most_pivots(o))
-            *end = FMB_SIMPLEX_ITERATION_LIMIT;
-        else
-            st = take_dual_step(o, end, odd);
-        bool ended = *end == FMB_SIMPLEX_DONE || *end == FMB_SIMPLEX_STOPPED;
-        bool looks_again = ended && !fresh && looks++ < FMB_SIMPLEX_MOST_CHECKS;
-        if (st == FMB_OK && (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->basis)))) {
-            st = fmb_simplex_state_refresh(o);
-            list_all_violated(o);
-            *end = FMB_SIMPLEX_RUNNING;
-            ended = fresh = true;
-        }
-        fresh = ended;
-        fmb_run_count(o->f->run, fmb_simplex_state_work(o));
-        FMB_THEN(st, fmb_run_poll(o->f->run));
-    }
+    fmb_status st = fmb_simplex_walk(o, fmb_simplex_most_pivots(o), take_dual_step,
+                                     list_all_violated, end, odd);
     o->feasible = *end == FMB_SIMPLEX_DONE && !o->moved;
     return st;
 }

@@ -124,10 +124,24 @@ static size_t find_certain_row(fmb_simplex_state *o, size_t r, bool *stale)
     }
 }
 
-static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd,
-                                   size_t *idle)
+/* Exactly, for brief walks. */
+static void measure_all_edges(fmb_simplex_state *o)
 {
-    size_t r = find_steepest_edge(o);
+    fmb_dense_inverse_measure(&o->basis.inverse, o->edge_weight);
+}
+
+/* By complementary slackness the cost of the point is y times the right sides. */
+static bool is_high_enough(const fmb_simplex_state *o)
+{
+    double sum = 0;
+    for (size_t r = 0; o->is_brief && r < o->n; r++)
+        sum += o->basis.member[r] < FMB_UNIT ? o->y[r] * o->right[o->basis.member[r]] : 0;
+    return o->is_brief && sum > o->enough;
+}
+
+static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
+{
+    size_t r = is_high_enough(o) ? FMB_NOWHERE : find_steepest_edge(o);
     if (r == FMB_NOWHERE) {
         *end = FMB_SIMPLEX_DONE;
         return FMB_OK;
@@ -141,12 +155,15 @@ static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, s
     }
     if (stale)
         return fmb_simplex_state_renew(o);
-    *idle = o->slack[i] > fmb_simplex_state_tolerance(o) ? 0 : *idle + 1;
+    o->idle = o->slack[i] > fmb_simplex_state_tolerance(o) ? 0 : o->idle + 1;
     o->slack[i] = o->row_role[i] == FMB_ROLE_EQUAL ? o->slack[i] : fmax(o->slack[i], 0);
-    update_edge_weights(o, r);
+    if (!o->is_brief)
+        update_edge_weights(o, r);
     fmb_status st = fmb_simplex_state_pivot(o, r, i);
-    if (st == FMB_OK && *idle > PATIENCE + o->n && !o->moved) {
-        *idle = 0;
+    if (o->is_brief)
+        measure_all_edges(o);
+    else if (st == FMB_OK && o->idle > PATIENCE + o->n && !o->moved) {
+        o->idle = 0;
         st = move_right_sides(o);
     }
     return st;
@@ -154,28 +171,9 @@ static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, s
 
 fmb_status fmb_primal_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
 {
-    bool fresh = true;
-    int looks = 0;
-    size_t idle = 0;
-    for (size_t r = 0; r < o->n; r++)
+    o->idle = 0;
+    for (size_t r = 0; !o->is_brief && r < o->n; r++)
         o->edge_weight[r] = 1;
-    fmb_status st = fmb_simplex_state_refresh(o);
-    *end = FMB_SIMPLEX_RUNNING;
-    while (st == FMB_OK && *end == FMB_SIMPLEX_RUNNING) {
-        if (o->steps > o->most_steps)
-            *end = FMB_SIMPLEX_ITERATION_LIMIT;
-        else
-            st = take_primal_step(o, end, odd, &idle);
-        bool ended = *end == FMB_SIMPLEX_DONE || *end == FMB_SIMPLEX_STOPPED;
-        bool looks_again = ended && !fresh && looks++ < FMB_SIMPLEX_MOST_CHECKS;
-        if (st == FMB_OK && (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->basis)))) {
-            st = fmb_simplex_state_refresh(o);
-            *end = FMB_SIMPLEX_RUNNING;
-            ended = true;
-        }
-        fresh = ended;
-        fmb_run_count(o->f->run, fmb_simplex_state_work(o));
-        FMB_THEN(st, fmb_run_poll(o->f->run));
-    }
-    return st;
+    return fmb_simplex_walk(o, o->most_steps, take_primal_step,
+                            o->is_brief ? measure_all_edges : NULL, end, odd);
 }

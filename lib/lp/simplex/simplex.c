@@ -4,15 +4,11 @@
  * unknown leaves for the bound that it has passed, and an unknown enters that brings it back when
  * moved from its own bound; the largest such pivot is stable. If there is none, the row of the
  * inverse is a hyperplane with all possible sums on one side and the target on the other (Farkas).
- * With a cost, the entering unknown is one that keeps all gains from becoming positive, up to
- * rounding, and the leaving one has the largest violation for the length of its edge (steepest
- * edge). Consecutive targets start from each other's bases. The primal method goes from vertex to
- * vertex by the largest gain. Both might cycle: they give up after a number of steps.
+ * Consecutive targets start from each other's bases. The primal method goes from vertex to vertex
+ * by the largest gain. Both might cycle: they give up after a number of steps.
  *
  * Source: Dantzig 1955, Upper bounds, secondary constraints, and block triangularity; Lemke 1954,
- * The dual method of solving the linear programming problem; Harris 1973, Pivot selection methods
- * of the Devex LP code; Forrest and Goldfarb 1992, Steepest-edge simplex algorithms for linear
- * programming.
+ * The dual method of solving the linear programming problem.
  */
 #include "lp/simplex/simplex.h"
 
@@ -21,8 +17,6 @@
 
 /* Pivots after which errors have accumulated. */
 #define STALE 100
-/* Gains may become positive by this much. */
-#define SLIP 1e-9
 
 /* ---- values ---------------------------------------------------------------------------------- */
 
@@ -53,20 +47,15 @@ static void put_at_end(fmb_basis *b, size_t j, bool high)
 
 /* ---- costs ----------------------------------------------------------------------------------- */
 
-/* Is the unknown at place r bounded? Unit vectors are if they have a cost. */
+/* Is the unknown at place r bounded? */
 static inline bool is_bounded(const fmb_basis *b, size_t r)
 {
-    return b->basic[r] == SIZE_MAX ? b->has_cost : b->range[b->basic[r]] != FMB_RANGE_FREE;
+    return b->basic[r] != SIZE_MAX && b->range[b->basic[r]] != FMB_RANGE_FREE;
 }
 
 static inline bool is_unit_range(const fmb_basis *b, size_t r)
 {
     return b->basic[r] != SIZE_MAX && b->range[b->basic[r]] == FMB_RANGE_UNIT;
-}
-
-static inline double cost_of_place(const fmb_basis *b, const double *cost, size_t r)
-{
-    return b->basic[r] == SIZE_MAX ? b->unit_cost : cost[b->basic[r]];
 }
 
 /* In four independent sums, for parallel execution. */
@@ -82,11 +71,12 @@ static double dot_product(const double *a, const double *c, size_t d)
     return sum[0] + sum[1] + (sum[2] + sum[3]);
 }
 
-void fmb_simplex_find_prices(fmb_basis *b, const double *cost, double *y)
+/* The prices of the rows, y[d]: the costs of the basic columns times the inverse. */
+static void find_prices(fmb_basis *b, const double *cost, double *y)
 {
     size_t d = b->d;
     for (size_t r = 0; r < d; r++)
-        b->entry[r] = cost_of_place(b, cost, r);
+        b->entry[r] = b->basic[r] == SIZE_MAX ? 0 : cost[b->basic[r]];
     for (size_t k = 0; k < d; k++)
         y[k] = dot_product(&b->inverse.at[k * d], b->entry, d);
 }
@@ -100,58 +90,13 @@ static void find_gains(fmb_basis *b, const double *cost, const double *y)
             b->kernels->accumulate(b->gain, &b->at[k * b->capacity], b->size, -y[k]);
 }
 
-/* Squared lengths of edges; four at a time, for parallel execution. */
-static void measure_edges(fmb_basis *b)
-{
-    size_t d = b->d, r = 0;
-    for (; r + 4 <= d; r += 4) {
-        double sum[4] = {0};
-        const double *at = &b->inverse.at[r];
-        for (size_t k = 0; k < d; k++, at += d)
-            for (size_t i = 0; i < 4; i++)
-                sum[i] += at[i] * at[i];
-        memcpy(&b->length[r], sum, sizeof sum);
-    }
-    for (; r < d; r++) {
-        b->length[r] = 0;
-        for (size_t k = 0; k < d; k++)
-            b->length[r] += b->inverse.at[k * d + r] * b->inverse.at[k * d + r];
-    }
-}
-
-/* Update the gains after column j has replaced `old`, whose row of the inverse is in `price`. */
-static void update_gains(fmb_basis *b, size_t j, size_t old, double pivot)
-{
-    double way = fmin(b->gain[j], 0) / pivot;
-    b->kernels->accumulate(b->gain, b->price, b->size, -way);
-    b->gain[j] = 0;
-    if (old != SIZE_MAX)
-        b->gain[old] = -way;
-    measure_edges(b);
-}
-
-void fmb_simplex_measure(fmb_basis *b)
-{
-    fmb_simplex_find_prices(b, b->cost, b->rest);
-    find_gains(b, b->cost, b->rest);
-    measure_edges(b);
-}
-
-static bool is_expensive(const fmb_basis *b)
-{
-    double sum = 0;
-    for (size_t r = 0; b->has_cost && r < b->d; r++)
-        sum += cost_of_place(b, b->cost, r) * b->value[r];
-    return b->has_cost && sum < b->enough;
-}
-
 /* ---- the dual method ------------------------------------------------------------------------- */
 
 /* The place whose value is farthest out of its range; the banned column's must be 0. */
 static size_t find_leaving(const fmb_basis *b, size_t banned)
 {
     size_t worst = SIZE_MAX;
-    double most = 0;
+    double most = b->value_zero;
     for (size_t r = 0; r < b->d; r++) {
         double excess = -b->value[r];
         if (b->basic[r] != SIZE_MAX && b->basic[r] == banned)
@@ -160,8 +105,8 @@ static size_t find_leaving(const fmb_basis *b, size_t banned)
             continue;
         else if (is_unit_range(b, r))
             excess = fmax(excess, b->value[r] - 1);
-        if (excess > b->value_zero && excess * excess > most * b->length[r]) {
-            most = excess * excess / b->length[r];
+        if (excess > most) {
+            most = excess;
             worst = r;
         }
     }
@@ -175,49 +120,20 @@ static inline double find_help(const fmb_basis *b, size_t j, double sign)
     return b->is_high[j] ? -a : b->range[j] == FMB_RANGE_FREE ? fabs(a) : a;
 }
 
-/* Columns that help by more than `least`. */
-static size_t list_candidates(fmb_basis *b, double sign, double least, size_t banned)
-{
-    size_t count = 0;
-    for (size_t j = 0; j < b->size; j++) {
-        b->candidate[count] = j;
-        count += fabs(b->price[j]) > least && find_help(b, j, sign) > 0 && !b->is_basic[j] &&
-                 j != banned && b->range[j] != FMB_RANGE_ZERO;
-    }
-    return count;
-}
-
-/* How far the gains allow a column to be moved if they may become positive within rounding
- * errors. */
-static double find_longest_step(const fmb_basis *b, double sign, size_t candidates)
-{
-    double step = INFINITY;
-    for (size_t t = 0; b->has_cost && t < candidates; t++) {
-        size_t j = b->candidate[t];
-        double a = find_help(b, j, sign);
-        if (SLIP - b->gain[j] < step * a)
-            step = (SLIP - b->gain[j]) / a;
-    }
-    return step;
-}
-
-/* The column that enters best at place r. */
+/* The column that enters best at place r: the one that helps most. */
 static size_t find_entering(fmb_basis *b, size_t r, size_t banned)
 {
     const double *row = b->edge;
-    double sign = b->value[r] < 0 ? -1 : 1, most = 0;
+    double sign = b->value[r] < 0 ? -1 : 1, most = b->entry_zero;
     size_t best = SIZE_MAX;
     fmb_dense_inverse_edge(&b->inverse, r, b->edge);
     memset(b->price, 0, b->size * sizeof *b->price);
     for (size_t k = 0; k < b->d; k++)
         if (row[k] != 0)
             b->kernels->accumulate(b->price, &b->at[k * b->capacity], b->size, row[k]);
-    size_t candidates = list_candidates(b, sign, b->entry_zero * sqrt(b->length[r]), banned);
-    double step = find_longest_step(b, sign, candidates);
-    for (size_t t = 0; t < candidates; t++) {
-        size_t j = b->candidate[t];
+    for (size_t j = 0; j < b->size; j++) {
         double a = find_help(b, j, sign);
-        if (a > most && (!b->has_cost || -b->gain[j] <= step * a)) {
+        if (a > most && !b->is_basic[j] && j != banned && b->range[j] != FMB_RANGE_ZERO) {
             most = a;
             best = j;
         }
@@ -263,34 +179,29 @@ static void expel_zero_columns(fmb_basis *b)
     }
 }
 
-/* Without a cost, values are recomputed before a result is accepted. */
+/* Values are recomputed before a result is accepted. */
 fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned, fmb_run *run,
                               fmb_guess *out)
 {
     fmb_status st = FMB_OK;
     bool fresh = true;
     *out = FMB_GUESS_NONE;
-    if (b->pivots > STALE) {
+    if (b->pivots > STALE)
         fmb_basis_invert(b);
-        if (b->has_cost)
-            fmb_simplex_measure(b);
-    }
     expel_zero_columns(b);
     find_values(b, target);
     for (size_t steps = 0; st == FMB_OK && steps < 16 * b->d + 64; steps++) {
-        size_t r = is_expensive(b) ? SIZE_MAX : find_leaving(b, banned);
+        size_t r = find_leaving(b, banned);
         size_t j = r == SIZE_MAX ? SIZE_MAX : find_entering(b, r, banned);
         if (run)
             fmb_run_count(run, 80 + 2 * b->size + b->d * (b->size + b->d) / 4);
-        if (j == SIZE_MAX && !fresh && !b->has_cost) {
+        if (j == SIZE_MAX && !fresh) {
             find_values(b, target);
             fresh = true;
             continue;
         }
         if (j == SIZE_MAX) {
-            *out = r != SIZE_MAX     ? FMB_GUESS_OUTSIDE
-                   : is_expensive(b) ? FMB_GUESS_EXPENSIVE
-                                     : FMB_GUESS_INSIDE;
+            *out = r != SIZE_MAX ? FMB_GUESS_OUTSIDE : FMB_GUESS_INSIDE;
             if (r != SIZE_MAX)
                 read_normal(b, r);
             return FMB_OK;
@@ -298,11 +209,8 @@ fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned,
         size_t old = b->basic[r];
         bool high = old != banned && b->value[r] > 1;
         fmb_basis_write(b, j);
-        double pivot = b->entry[r];
         pivot_columns(b, r, j, high);
         put_at_end(b, old, high);
-        if (b->has_cost)
-            update_gains(b, j, old, pivot);
         fresh = false;
         st = run ? fmb_run_poll(run) : FMB_OK;
     }
@@ -355,7 +263,7 @@ static bool leave_end(fmb_basis *b, size_t j, double *y)
     fmb_basis_write(b, j);
     for (size_t r = 0; r < b->d; r++) {
         double rise = b->is_high[j] ? b->entry[r] : -b->entry[r];
-        if (fabs(rise) < b->entry_zero || (b->basic[r] == SIZE_MAX && !b->has_cost))
+        if (fabs(rise) < b->entry_zero || b->basic[r] == SIZE_MAX)
             continue;
         double reach = find_room(b->value[r], is_unit_range(b, r), rise > 0, &end) / fabs(rise);
         if (reach == INFINITY || reach > way || (reach == way && fabs(rise) < weight))
@@ -382,7 +290,7 @@ bool fmb_simplex_maximize(fmb_basis *b, const double *target, const double *cost
 {
     bool goes_on = true;
     size_t j = 0, steps = 0;
-    fmb_simplex_find_prices(b, cost, y);
+    find_prices(b, cost, y);
     for (; goes_on && steps <= 16 * b->size; steps++) {
         find_gains(b, cost, y);
         j = find_best_gain(b);
@@ -392,7 +300,7 @@ bool fmb_simplex_maximize(fmb_basis *b, const double *target, const double *cost
     }
     if (steps > 0) {
         find_values(b, target);
-        fmb_simplex_find_prices(b, cost, y);
+        find_prices(b, cost, y);
     }
     return j == SIZE_MAX;
 }

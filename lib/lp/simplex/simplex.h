@@ -5,28 +5,17 @@
 #include "lp/simplex/basis.h"
 #include "trace/run.h"
 
-typedef enum fmb_guess {
-    FMB_GUESS_NONE = 0,
-    FMB_GUESS_INSIDE,
-    FMB_GUESS_OUTSIDE,
-    FMB_GUESS_EXPENSIVE
-} fmb_guess;
+typedef enum fmb_guess { FMB_GUESS_NONE = 0, FMB_GUESS_INSIDE, FMB_GUESS_OUTSIDE } fmb_guess;
 
 /* Do unknowns within their ranges make up the target, with that of column `banned` 0 (SIZE_MAX: no
  * column)? INSIDE: basic columns have `value`, the others are at a bound. OUTSIDE: `normal`
  * separates them; if no range has an upper bound it is >= 0 on all columns, < 0 on the target. run
- * may be NULL. With a cost, all gains must be <= 0 initially and stay so, so that the cost INSIDE
- * is the largest; or EXPENSIVE: it is less than `enough`. Errors: LIMIT. */
+ * may be NULL. Errors: LIMIT. */
 fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned, fmb_run *run,
                               fmb_guess *out);
 
 /* After a search ended INSIDE: maximize cost z; y[d] are the prices of the rows. False: not
  * reached. */
 bool fmb_simplex_maximize(fmb_basis *b, const double *target, const double *cost, double *y);
-
-/* The prices of the rows, y[d]: the costs of the basic columns times the inverse. */
-void fmb_simplex_find_prices(fmb_basis *b, const double *cost, double *y);
-/* Compute gains and edge lengths for the current basis, for a search with a cost. */
-void fmb_simplex_measure(fmb_basis *b);
 
 #endif

@@ -18,9 +18,15 @@ fmb_status fmb_dual_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *
  * not restored. Errors: MEMORY, LIMIT. */
 fmb_status fmb_primal_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd);
 
-/* Most checks of a result with a recomputed basis: recomputing may drop a member that depends on
- * others, nearly, which the next step puts in again. */
-#define FMB_SIMPLEX_MOST_CHECKS 8
+/* A step of either method; *end if there is none. Errors: MEMORY, LIMIT. */
+typedef fmb_status fmb_simplex_step(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd);
+
+/* simplex_walk.c: steps until there is none, at most `most_steps` with those before. `refreshed`,
+ * unless NULL, is called at the beginning and after each time the basis was recomputed. Errors:
+ * MEMORY, LIMIT. */
+fmb_status fmb_simplex_walk(fmb_simplex_state *o, size_t most_steps, fmb_simplex_step *step,
+                            void (*refreshed)(fmb_simplex_state *o), fmb_simplex_end *end,
+                            size_t *odd);
 
 /* With more steps than this the walk is taken to be cycling. */
 static inline size_t fmb_simplex_most_pivots(const fmb_simplex_state *o)

@@ -28,11 +28,12 @@ static fmb_status open_members(fmb_simplex_state *o)
     return fmb_indexed_vector_resize(&o->edge, mem, o->n);
 }
 
-fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors)
+fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f,
+                                  fmb_inverse_kind kind)
 {
     *o = (fmb_simplex_state){.f = f, .n = f->n};
     o->basis.f = o->columns.f = o->basis.lu.f = f;
-    FMB_TRY(fmb_basis_inverse_init(&o->basis, f, factors));
+    FMB_TRY(fmb_basis_inverse_init(&o->basis, f, kind));
     FMB_TRY(fmb_columns_init(&o->columns, f));
     FMB_TRY(open_members(o));
     return fmb_simplex_state_grow(o);
@@ -107,6 +108,21 @@ fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member)
     return st;
 }
 
+fmb_status fmb_simplex_state_reload(fmb_simplex_state *o, const size_t *member)
+{
+    o->m = o->columns.m = 0;
+    FMB_TRY(fmb_simplex_state_grow(o));
+    FMB_TRY(fmb_simplex_state_place(o, member));
+    return fmb_simplex_state_refresh(o);
+}
+
+void fmb_simplex_state_price(fmb_simplex_state *o)
+{
+    fmb_basis_inverse_price(&o->basis, o->cost, &o->edge);
+    memset(o->y, 0, o->n * sizeof *o->y);
+    fmb_indexed_vector_subtract(&o->edge, -1, o->y, o->f->run->kernels);
+}
+
 void fmb_simplex_state_find_point(fmb_simplex_state *o)
 {
     for (size_t r = 0; r < o->n; r++) {
@@ -145,12 +161,9 @@ fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o)
         if (st == FMB_OK)
             find_slacks(o);
     }
-    if (st != FMB_OK)
-        return st;
-    fmb_basis_inverse_price(&o->basis, o->cost, &o->edge);
-    memset(o->y, 0, o->n * sizeof *o->y);
-    fmb_indexed_vector_subtract(&o->edge, -1, o->y, o->f->run->kernels);
-    return FMB_OK;
+    if (st == FMB_OK)
+        fmb_simplex_state_price(o);
+    return st;
 }
 
 fmb_status fmb_simplex_state_renew(fmb_simplex_state *o)

@@ -28,7 +28,7 @@ typedef struct fmb_simplex_state {
     fmb_indexed_vector entry, edge,
         rate;                 /* [n], [n], [m]: a row in the basis, an edge, rows along it */
     double *y, *cost, *given; /* [n]; given: right sides by place */
-    double *edge_weight;      /* [n] of Devex, for the primal method */
+    double *edge_weight;      /* [n] of Devex, or squared lengths, for the primal method */
     uint8_t *member_role;     /* [n] */
     int *falling;             /* [n] scratch of the dual method: places */
     double *right, *slack;    /* [m] current right sides */
@@ -40,25 +40,36 @@ typedef struct fmb_simplex_state {
     size_t right_room, slack_room, row_weight_room, row_role_room, violated_room, listed_room;
     double nudge;             /* least multiplier given to a row if the dual method stalls */
     size_t steps, most_steps; /* so far; after which the primal method gives up */
+    size_t idle;              /* steps of the primal method since the point moved */
     uint64_t random;
+    /* For many short walks with an explicit inverse: slacks are kept from one to the next, ends are
+     * not checked with a recomputed basis, and edges are measured at each step; the primal method
+     * stops, too, where the cost of the point is more than `enough`. */
+    bool is_brief;
+    double enough;
     bool placed;
     bool feasible, moved; /* right sides differ from those of the scaled program */
 } fmb_simplex_state;
 
-/* A basis of unit vectors, and all rows of the scaled program; in factors or whatever seems best.
- * Errors: MEMORY, LIMIT. The caller must call fmb_simplex_state_clear even then. */
-fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors);
+/* A basis of unit vectors, and all rows of the scaled program. Errors: MEMORY, LIMIT. The caller
+ * must call fmb_simplex_state_clear even then. */
+fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f,
+                                  fmb_inverse_kind kind);
 void fmb_simplex_state_clear(fmb_simplex_state *o);
 /* Copy the rows that the scaled program got since. Errors: MEMORY, LIMIT. */
 fmb_status fmb_simplex_state_grow(fmb_simplex_state *o);
 
 /* Use these members as the basis. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member);
+/* Read the rows again, of which some were removed, and use these members. */
+fmb_status fmb_simplex_state_reload(fmb_simplex_state *o, const size_t *member);
 /* Recompute slacks and multipliers from the basis, which is itself recomputed if it is stale, or
  * found to be inexact. */
 fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o);
 /* The same, with the basis recomputed always. */
 fmb_status fmb_simplex_state_renew(fmb_simplex_state *o);
+/* Recompute the multipliers. */
+void fmb_simplex_state_price(fmb_simplex_state *o);
 /* edge = the point. */
 void fmb_simplex_state_find_point(fmb_simplex_state *o);
 /* Set the role of row i as one outside of the basis, on or off. */

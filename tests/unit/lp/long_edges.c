@@ -46,7 +46,7 @@ Test(long_edges, stop_where_the_slowest_row_does)
     fmb_program_init(&p, &mem, LINKS);
     append_chain(&p);
     cr_assert_eq(fmb_scaled_program_init(&f, &run, &p), FMB_OK);
-    cr_assert_eq(fmb_simplex_state_init(&state, &f, true), FMB_OK);
+    cr_assert_eq(fmb_simplex_state_init(&state, &f, FMB_INVERSE_FACTORS), FMB_OK);
     cr_assert_eq(fmb_simplex_state_place(&state, (size_t[LINKS]){1, 2, 3, 4, 5, 6, 7}), FMB_OK);
     state.cost[0] = 1;
     state.most_steps = 1;

@@ -1,183 +1,187 @@
 /* membership.c: see membership.h.
  *
- * The least sum of z >= 0 with sum_j z_j q_j = q is a program in columns (simplex.h), and w are its
- * prices: each point j restricts w to the half-space w.q_j <= 1, and a basis is n points whose
- * hyperplanes meet in the vertex w. For a new q the dual method goes from vertex to vertex, always
- * upwards, until the sum is above 1 or no value is negative. A new point may cut off the vertex:
- * then the primal method finds a remaining one, the highest in a direction for which the old one
- * was highest.
+ * For a new q the primal method goes from vertex to vertex, always upwards, until w.q is above 1 or
+ * no edge gains. A new point may cut off the vertex: then the dual method finds a remaining one,
+ * the highest in a direction for which the old one was highest.
  */
 #include "lp/redundancy/ray_shooting/membership.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "base/arrays.h"
+
 /* Smaller numbers count as rounding errors of 0: points and w are not longer than about 1. */
 #define ROUNDING 1e-9
-/* Least pivot, if edges have length 1. */
-#define LEAST_PIVOT 1e-8
-/* Least slope that is no rounding error, likewise. */
+/* Least slope that is no rounding error, if edges have length 1. */
 #define LEAST_SLOPE 1e-6
-/* Initial capacity for points. */
-#define FIRST_POINTS 64
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-/* Start from the corner of the cube on the side of q, or from any (q NULL). */
-static void start_from_cube(fmb_membership *g, const double *q)
+/* w = 0 is a vertex for any points. */
+static fmb_status start_from_origin(fmb_membership *g)
 {
+    size_t *member = g->state.basis.old;
     for (size_t k = 0; k < g->n; k++)
-        g->basis.is_mirrored[k] = q && q[k] < 0;
-    g->basis.unit_cost = -g->cube;
-    fmb_basis_empty(&g->basis);
-    fmb_simplex_measure(&g->basis);
-    g->is_broken = true;
+        member[k] = FMB_UNIT + k;
+    g->is_broken = false;
+    memset(g->w, 0, g->n * sizeof *g->w);
+    return fmb_simplex_state_reload(&g->state, member);
 }
 
-fmb_status fmb_membership_init(fmb_membership *g, fmb_mem *mem, const fmb_kernels *kernels,
-                               size_t n, double cube)
+static fmb_status hold_vectors(fmb_membership *g, bool get)
 {
-    *g = (fmb_membership){.n = n, .cube = cube, .zero = ROUNDING};
-    fmb_status st = fmb_basis_init(&g->basis, mem, kernels, n);
-    g->basis.entry_zero = LEAST_PIVOT;
-    g->basis.has_cost = true;
-    g->basis.enough = -1 - ROUNDING;
-    g->w = fmb_mem_get(mem, n, sizeof *g->w);
-    g->way = fmb_mem_get(mem, n, sizeof *g->way);
-    if (st == FMB_OK && (!g->w || !g->way))
-        st = fmb_mem_status(mem);
-    FMB_THEN(st, fmb_basis_reserve(&g->basis, FIRST_POINTS));
-    if (st == FMB_OK)
-        start_from_cube(g, NULL);
-    return st;
+    return FMB_ARRAYS(g->program.mem, get, FMB_ARRAY(g->columns, g->n), FMB_ARRAY(g->w, g->n),
+                      FMB_ARRAY(g->way, g->n));
+}
+
+fmb_status fmb_membership_init(fmb_membership *g, fmb_run *run, size_t n)
+{
+    *g = (fmb_membership){.n = n, .scaled.run = run};
+    fmb_program_init(&g->program, run->mem, (int)n);
+    FMB_TRY(hold_vectors(g, true));
+    for (size_t k = 0; k < n; k++)
+        g->columns[k] = (int)k;
+    FMB_TRY(fmb_scaled_program_init(&g->scaled, run, &g->program));
+    FMB_TRY(fmb_simplex_state_init(&g->state, &g->scaled, FMB_INVERSE_EXPLICIT));
+    g->state.is_brief = true;
+    g->state.enough = 1 + ROUNDING;
+    return start_from_origin(g);
 }
 
 void fmb_membership_clear(fmb_membership *g)
 {
-    fmb_mem *mem = g->basis.mem;
-    if (!mem)
+    if (!g->scaled.run)
         return;
-    fmb_mem_put(mem, g->name, g->name_room, sizeof *g->name);
-    fmb_mem_put(mem, g->w, g->n, sizeof *g->w);
-    fmb_mem_put(mem, g->way, g->n, sizeof *g->way);
-    fmb_basis_clear(&g->basis);
-    g->basis.mem = NULL;
-}
-
-void fmb_membership_resize_cube(fmb_membership *g, double cube)
-{
-    g->cube = cube;
-    start_from_cube(g, NULL);
+    fmb_mem_put(g->program.mem, g->name, g->name_room, sizeof *g->name);
+    if (g->state.f)
+        fmb_simplex_state_clear(&g->state);
+    fmb_scaled_program_clear(&g->scaled);
+    fmb_program_clear(&g->program);
+    (void)hold_vectors(g, false);
+    g->scaled.run = NULL;
 }
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
-/* w = the common point of all basic hyperplanes, w.q_j = 1. */
-static void find_vertex(fmb_membership *g)
+static double find_height(const fmb_membership *g, const double *q)
 {
-    fmb_simplex_find_prices(&g->basis, g->basis.cost, g->w);
+    double sum = 0;
     for (size_t k = 0; k < g->n; k++)
-        g->way[k] = g->w[k] = -g->w[k];
-}
-
-/* Go from the vertex along the edge that no hyperplane stops, until q is outside; false if the
- * slope may be a rounding error. */
-static bool goes_beyond(fmb_membership *g, const double *q)
-{
-    const double *normal = g->basis.normal;
-    double slope = 0, height = 0, square = 0;
-    for (size_t k = 0; k < g->n; k++) {
-        slope -= normal[k] * q[k];
-        square += normal[k] * normal[k];
-        height += g->w[k] * q[k];
-    }
-    for (size_t k = 0; k < g->n; k++)
-        g->way[k] -= (2 - height) / slope * normal[k];
-    return slope > LEAST_SLOPE * sqrt(square);
+        sum += g->w[k] * q[k];
+    return sum;
 }
 
 fmb_status fmb_membership_add(fmb_membership *g, const double *q, size_t name)
 {
-    fmb_basis *b = &g->basis;
-    size_t j = b->size;
-    FMB_TRY(FMB_RESERVE(b->mem, &g->name, &g->name_room, j + 1));
-    FMB_TRY(fmb_basis_add(b, q, FMB_RANGE_UP));
+    fmb_simplex_state *o = &g->state;
+    size_t j = g->scaled.m;
+    FMB_TRY(FMB_RESERVE(g->program.mem, &g->name, &g->name_room, j + 1));
+    if (g->program.m == j)
+        FMB_TRY(fmb_program_add(&g->program, g->n, g->columns, NULL, NULL, FMB_LE));
+    FMB_TRY(fmb_scaled_program_append(&g->scaled, q, 1));
     g->name[j] = name;
-    b->cost[j] = b->gain[j] = -1;
-    for (size_t k = 0; k < g->n; k++)
-        b->gain[j] += g->w[k] * q[k];
-    g->is_broken = g->is_broken || b->gain[j] > ROUNDING;
+    FMB_TRY(fmb_simplex_state_grow(o));
+    o->slack[j] = 1 - find_height(g, q);
+    g->is_broken = g->is_broken || o->slack[j] < -ROUNDING;
     return FMB_OK;
 }
 
-static void move_column(fmb_membership *g, size_t from, size_t to)
+/* The points of the basis come first. */
+fmb_status fmb_membership_forget(fmb_membership *g)
 {
-    fmb_basis *b = &g->basis;
-    for (size_t k = 0; k < g->n; k++)
-        b->at[k * b->capacity + to] = b->at[k * b->capacity + from];
-    for (size_t r = 0; r < g->n; r++)
-        if (b->basic[r] == from)
-            b->basic[r] = to;
-    b->is_basic[to] = b->is_basic[from];
-    b->cost[to] = b->cost[from];
-    b->gain[to] = b->gain[from];
-    g->name[to] = g->name[from];
-}
-
-void fmb_membership_forget(fmb_membership *g)
-{
-    size_t left = 0;
-    for (size_t j = 0; j < g->basis.size; j++)
-        if (g->basis.is_basic[j])
-            move_column(g, j, left++);
-    g->basis.size = left;
+    size_t left = 0, *member = g->state.basis.member;
+    double *at = g->scaled.value;
+    for (size_t j = 0; j < g->scaled.m; j++)
+        for (size_t r = 0; r < g->n; r++)
+            if (member[r] == j) {
+                memmove(&at[left * g->n], &at[j * g->n], g->n * sizeof *at);
+                g->name[left] = g->name[j];
+                member[r] = left++;
+                break;
+            }
+    fmb_program_shorten(&g->program, left);
+    g->scaled.m = left;
+    return fmb_simplex_state_reload(&g->state, member);
 }
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
-/* Choose a target for which the vertex is highest, a sum of all basic points with distinct factors,
- * and go from there to a vertex behind all hyperplanes. False: the search was stuck. */
-static bool go_behind_points(fmb_membership *g)
+/* w = the common point of all basic hyperplanes. */
+static void find_vertex(fmb_membership *g)
 {
-    fmb_basis *b = &g->basis;
-    uint32_t h = 1;
-    memset(g->way, 0, g->n * sizeof *g->way);
-    for (size_t r = 0; r < g->n; r++) {
-        h = h * 1664525u + 1013904223u;
-        b->value[r] = 1 + (double)(h >> 8) / (1 << 24);
-        if (b->basic[r] == SIZE_MAX)
-            g->way[r] += b->is_mirrored[r] ? -b->value[r] : b->value[r];
-        for (size_t k = 0; b->basic[r] != SIZE_MAX && k < g->n; k++)
-            g->way[k] += b->value[r] * b->at[k * b->capacity + b->basic[r]];
-    }
-    b->value_zero = ROUNDING;
-    bool done = fmb_simplex_maximize(b, g->way, b->cost, g->w);
-    fmb_simplex_measure(b);
-    g->is_broken = !done;
-    return done;
+    fmb_simplex_state_find_point(&g->state);
+    memcpy(g->w, g->state.edge.at, g->n * sizeof *g->w);
+    memcpy(g->way, g->w, g->n * sizeof *g->way);
 }
 
-/* If the search is stuck, restart from the cube: errors may have accumulated. */
-fmb_status fmb_membership_ask(fmb_membership *g, const double *q, fmb_run *run,
+/* Go from the vertex along edge r, which no hyperplane stops, until q is outside; false if the
+ * slope may be a rounding error. */
+static bool goes_beyond(fmb_membership *g, const double *q, size_t r)
+{
+    fmb_indexed_vector *edge = &g->state.edge;
+    double slope = 0, square = 0;
+    fmb_basis_inverse_edge(&g->state.basis, r, edge);
+    for (size_t k = 0; k < g->n; k++) {
+        slope += edge->at[k] * q[k];
+        square += edge->at[k] * edge->at[k];
+    }
+    if (fabs(slope) <= LEAST_SLOPE * sqrt(square))
+        return false;
+    for (size_t k = 0; k < g->n; k++)
+        g->way[k] += (2 - find_height(g, q)) / slope * edge->at[k];
+    return true;
+}
+
+/* The direction is the sum of all basic points with distinct factors. */
+static fmb_status go_behind_points(fmb_membership *g)
+{
+    fmb_simplex_state *o = &g->state;
+    fmb_simplex_end end;
+    size_t odd;
+    memset(o->cost, 0, g->n * sizeof *o->cost);
+    for (size_t r = 0; r < g->n; r++)
+        if (o->basis.member[r] < FMB_UNIT)
+            fmb_simplex_state_add_to_cost(o, r, fmb_simplex_state_draw(o));
+    o->steps = 0;
+    FMB_TRY(fmb_dual_simplex(o, &end, &odd));
+    g->is_broken = end != FMB_SIMPLEX_DONE;
+    return fmb_simplex_state_refresh(o);
+}
+
+/* From a vertex behind all hyperplanes to the highest one for q, or one that is high enough. */
+static fmb_status climb_for_point(fmb_membership *g, const double *q, fmb_side_of_hull *out)
+{
+    fmb_simplex_state *o = &g->state;
+    fmb_simplex_end end;
+    size_t odd;
+    memcpy(o->cost, q, g->n * sizeof *q);
+    o->steps = 0;
+    o->most_steps = 16 * g->n + 64;
+    FMB_TRY(fmb_primal_simplex(o, &end, &odd));
+    find_vertex(g);
+    if (end == FMB_SIMPLEX_STOPPED && goes_beyond(g, q, odd))
+        *out = FMB_HULL_OUTSIDE;
+    else if (end != FMB_SIMPLEX_ITERATION_LIMIT)
+        *out = find_height(g, q) > o->enough ? FMB_HULL_OUTSIDE : FMB_HULL_INSIDE;
+    fmb_run_count(g->scaled.run, o->steps * g->n * (g->n + o->m) / 4);
+    return FMB_OK;
+}
+
+/* If the search is stuck, restart from the origin: errors may have accumulated. */
+fmb_status fmb_membership_ask(fmb_membership *g, const double *q, bool closer,
                               fmb_side_of_hull *out)
 {
-    fmb_status st = FMB_OK;
-    fmb_guess guess = FMB_GUESS_NONE;
     *out = FMB_HULL_NONE;
-    for (int tries = 0; st == FMB_OK && *out == FMB_HULL_NONE && tries < 2; tries++) {
+    g->scaled.sharp = closer;
+    for (int tries = 0; *out == FMB_HULL_NONE && tries < 2; tries++) {
         if (tries > 0)
-            start_from_cube(g, q);
-        if (g->is_broken && !go_behind_points(g))
-            continue;
-        g->basis.value_zero = g->zero;
-        st = fmb_simplex_search(&g->basis, q, SIZE_MAX, run, &guess);
-        if (guess != FMB_GUESS_NONE)
-            find_vertex(g);
-        if (guess == FMB_GUESS_EXPENSIVE || (guess == FMB_GUESS_OUTSIDE && goes_beyond(g, q)))
-            *out = FMB_HULL_OUTSIDE;
-        else if (guess == FMB_GUESS_INSIDE)
-            *out = FMB_HULL_INSIDE;
+            FMB_TRY(start_from_origin(g));
+        if (g->is_broken)
+            FMB_TRY(go_behind_points(g));
+        if (!g->is_broken)
+            FMB_TRY(climb_for_point(g, q, out));
     }
-    g->is_broken = g->is_broken || guess == FMB_GUESS_NONE;
-    return st;
+    g->is_broken = g->is_broken || *out == FMB_HULL_NONE;
+    return FMB_OK;
 }

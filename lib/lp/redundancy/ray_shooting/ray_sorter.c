@@ -16,14 +16,8 @@
 #include "num/gcd.h"
 #include "num/rationals.h"
 
-/* Smaller values count as 0, and are used as they are if that fails. */
+/* Smaller multipliers count as 0, and are used as they are if that fails. */
 #define NEARLY_NONE 1e-9
-#define LOOK_CLOSER 1e-14
-/* The cube of the membership program, the factor by which it grows if an artificial point is
- * needed, and its largest size. */
-#define FIRST_CUBE  64.0
-#define LARGER_CUBE 64.0
-#define LAST_CUBE   0x1p42
 /* Testing this many vertices takes as long as shooting a ray, apart from the ray's own blocks. */
 #define MANY_KNOWN 1024
 /* With more vertices than this, a test uses those near the row. */
@@ -39,7 +33,7 @@ fmb_status fmb_ray_sorter_init(fmb_ray_sorter *s, fmb_run *run, const fmb_polar_
     *s = (fmb_ray_sorter){.run = run, .points = points, .fate = fate, .told = told};
     FMB_TRY(FMB_ARRAYS(mem, true, FMB_ARRAY_ZERO(s->is_active, points->m), FMB_ARRAY(s->target, d),
                        FMB_ARRAY(s->support, d)));
-    FMB_TRY(fmb_membership_init(&s->membership, mem, run->kernels, d, FIRST_CUBE));
+    FMB_TRY(fmb_membership_init(&s->membership, run, d));
     FMB_TRY(fmb_ray_init(&s->ray, run, points));
     FMB_TRY(fmb_combination_init(&s->combination, mem, points->n, points->row));
     return fmb_rationals_new(&s->x, points->n, mem);
@@ -94,6 +88,12 @@ static void aim_at_point(fmb_ray_sorter *s, size_t i)
     fmb_polar_points_round_point(s->points, i, s->target);
 }
 
+static void mark_rows_of_membership(fmb_ray_sorter *s, bool active)
+{
+    for (size_t j = 0; j < fmb_membership_size(&s->membership); j++)
+        s->is_active[s->membership.name[j]] = active;
+}
+
 /* Add row i to the membership program; if that is full, points outside of its basis are removed.
  */
 static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
@@ -104,16 +104,15 @@ static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
         return FMB_OK;
     if (d > sizeof point / sizeof *point)
         FMB_TRY(FMB_GET(s->run->mem, q, d));
-    if (s->membership.basis.size >= MOST_ACTIVE(d)) {
-        for (size_t j = 0; j < s->membership.basis.size; j++)
-            s->is_active[s->membership.name[j]] = false;
-        fmb_membership_forget(&s->membership);
-        for (size_t j = 0; j < s->membership.basis.size; j++)
-            s->is_active[s->membership.name[j]] = true;
+    fmb_status st = FMB_OK;
+    if (fmb_membership_size(&s->membership) >= MOST_ACTIVE(d)) {
+        mark_rows_of_membership(s, false);
+        st = fmb_membership_forget(&s->membership);
+        mark_rows_of_membership(s, true);
     }
     fmb_polar_points_round_point(s->points, i, q);
     s->is_active[i] = true;
-    fmb_status st = fmb_membership_add(&s->membership, q, i);
+    FMB_THEN(st, fmb_membership_add(&s->membership, q, i));
     if (q != point)
         fmb_mem_put(s->run->mem, q, d, sizeof *q);
     return st;
@@ -189,16 +188,6 @@ static fmb_status tell_of_combination(fmb_ray_sorter *s, size_t i)
     return st;
 }
 
-/* Does the combination for the target need an artificial point? */
-static bool is_cube_needed(const fmb_ray_sorter *s)
-{
-    for (size_t r = 0; r < s->points->d; r++)
-        if (fmb_membership_name(&s->membership, r) == SIZE_MAX &&
-            s->membership.basis.value[r] > NEARLY_NONE)
-            return true;
-    return false;
-}
-
 /* Prove row i by the points of the basis with larger values than this. */
 static fmb_status prove_by_basis(fmb_ray_sorter *s, size_t i, double least)
 {
@@ -206,7 +195,7 @@ static fmb_status prove_by_basis(fmb_ray_sorter *s, size_t i, double least)
     bool found;
     for (size_t r = 0; r < s->points->d; r++) {
         size_t j = fmb_membership_name(&s->membership, r);
-        if (j != SIZE_MAX && s->membership.basis.value[r] > least)
+        if (j != SIZE_MAX && fmb_membership_value(&s->membership, r) > least)
             s->support[size++] = j;
     }
     FMB_TRY(fmb_combine(&s->combination, s->run, i, s->support, size, &found));
@@ -226,13 +215,10 @@ static fmb_status prove_implied(fmb_ray_sorter *s, size_t i)
  * been negative. */
 static fmb_status prove_or_look_closer(fmb_ray_sorter *s, size_t i, fmb_side_of_hull *side)
 {
-    double zero = s->membership.zero;
     fmb_status st = prove_implied(s, i);
     if (st != FMB_OK || s->fate[i] != FMB_FATE_UNKNOWN)
         return st;
-    s->membership.zero = LOOK_CLOSER;
-    st = fmb_membership_ask(&s->membership, s->target, s->run, side);
-    s->membership.zero = zero;
+    st = fmb_membership_ask(&s->membership, s->target, true, side);
     return st == FMB_OK && *side == FMB_HULL_INSIDE ? prove_implied(s, i) : st;
 }
 
@@ -254,13 +240,8 @@ static fmb_status shoot_for_vertex(fmb_ray_sorter *s, const double *way, bool *p
 static fmb_status ask_about_row(fmb_ray_sorter *s, size_t i, bool *progress)
 {
     fmb_side_of_hull side;
-    fmb_status st = fmb_membership_ask(&s->membership, s->target, s->run, &side);
+    fmb_status st = fmb_membership_ask(&s->membership, s->target, false, &side);
     *progress = false;
-    while (st == FMB_OK && side == FMB_HULL_INSIDE && is_cube_needed(s) &&
-           s->membership.cube < LAST_CUBE) {
-        fmb_membership_resize_cube(&s->membership, LARGER_CUBE * s->membership.cube);
-        st = fmb_membership_ask(&s->membership, s->target, s->run, &side);
-    }
     if (st == FMB_OK && side == FMB_HULL_INSIDE)
         st = prove_or_look_closer(s, i, &side);
     if (st != FMB_OK || side == FMB_HULL_NONE || s->fate[i] != FMB_FATE_UNKNOWN)
