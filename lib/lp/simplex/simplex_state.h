@@ -1,5 +1,6 @@
 /* simplex_state.h: the state of the revised simplex method: a basis with its inverse, the slacks of
- * the rows, and the multipliers of a cost.
+ * the rows, and the multipliers of a cost. The backend has one, and the membership program of ray
+ * shooting.
  *
  * Invariants: slack = right - rows times the point, which is about 0 for rows in the basis; y times
  * the basis is the cost.

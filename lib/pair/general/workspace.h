@@ -10,7 +10,7 @@
 #ifndef FMB_PAIR_GENERAL_WORKSPACE_H
 #define FMB_PAIR_GENERAL_WORKSPACE_H
 
-#include "lp/simplex/simplex.h"
+#include "lp/simplex/bounded/bounded_simplex.h"
 #include "num/kernels/kernels.h"
 #include "pair/general/general.h"
 

@@ -2,7 +2,7 @@
 #include <criterion/criterion.h>
 #include <math.h>
 
-#include "lp/simplex/simplex.h"
+#include "lp/simplex/bounded/bounded_simplex.h"
 #include "support/support.h"
 
 enum { MOST_D = 5, MOST_COLUMNS = 12 };

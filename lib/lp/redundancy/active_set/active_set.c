@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/arrays.h"
-#include "lp/simplex/simplex.h"
+#include "lp/simplex/bounded/bounded_simplex.h"
 
 /* Numbers below these are taken for rounding errors, in multipliers and in pivots: inputs are about
  * 1. */

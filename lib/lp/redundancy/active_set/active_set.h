@@ -1,9 +1,9 @@
 /* active_set.h: a search for rows that others imply, among few rows that are active.
  *
  * A row (a, b) is implied by others if it is a nonnegative combination of them and of (0, 1). Which
- * rows, and with which multipliers, is guessed in doubles (simplex.h), and proved in integers
- * (rounded_proof.h); where numbers are long, which rows is guessed, and multipliers are solved for
- * (combination.h). Only active rows are looked at: a row that they do not imply gives a
+ * rows, and with which multipliers, is guessed in doubles (bounded_simplex.h), and proved in
+ * integers (rounded_proof.h); where numbers are long, which rows is guessed, and multipliers are
+ * solved for (combination.h). Only active rows are looked at: a row that they do not imply gives a
  * hyperplane, the row that lies farthest beyond it becomes active, and the search goes on (Clarkson
  * 1994).
  *
@@ -17,7 +17,7 @@
 #include "lp/oracle/refined_farkas.h"
 #include "lp/redundancy/active_set/leading_rows.h"
 #include "lp/redundancy/active_set/rounded_proof.h"
-#include "lp/simplex/basis.h"
+#include "lp/simplex/bounded/basis.h"
 
 /* The rows, for all searches to look at. */
 typedef struct fmb_scaled_rows {

@@ -1,4 +1,4 @@
-/* simplex.c: see simplex.h.
+/* bounded_simplex.c: see bounded_simplex.h.
  *
  * The search is the dual method. While the value of some basic unknown is out of its range, that
  * unknown leaves for the bound that it has passed, and an unknown enters that brings it back when
@@ -10,7 +10,7 @@
  * Source: Dantzig 1955, Upper bounds, secondary constraints, and block triangularity; Lemke 1954,
  * The dual method of solving the linear programming problem.
  */
-#include "lp/simplex/simplex.h"
+#include "lp/simplex/bounded/bounded_simplex.h"
 
 #include <math.h>
 #include <string.h>

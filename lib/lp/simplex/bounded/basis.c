@@ -1,5 +1,5 @@
 /* basis.c: see basis.h. */
-#include "lp/simplex/basis.h"
+#include "lp/simplex/bounded/basis.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,9 @@
-/* simplex.h: the simplex method in doubles for bounded unknowns (basis.h): guesses. */
-#ifndef FMB_LP_SIMPLEX_H
-#define FMB_LP_SIMPLEX_H
+/* bounded_simplex.h: the simplex method in doubles for bounded unknowns, few and dense (basis.h),
+ * of pairs and of active sets: guesses. */
+#ifndef FMB_LP_BOUNDED_SIMPLEX_H
+#define FMB_LP_BOUNDED_SIMPLEX_H
 
-#include "lp/simplex/basis.h"
+#include "lp/simplex/bounded/basis.h"
 #include "trace/run.h"
 
 typedef enum fmb_guess { FMB_GUESS_NONE = 0, FMB_GUESS_INSIDE, FMB_GUESS_OUTSIDE } fmb_guess;
