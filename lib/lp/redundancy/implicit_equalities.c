@@ -12,7 +12,7 @@
 
 /* ---- equalities ------------------------------------------------------------------------------ */
 
-/* Does an equality have a column that no other one has so far? Then it depends on none. */
+/* Has row i a column that no equality before it has? Then it does not depend on them. */
 static bool names_new_column(fmb_pruner *p, size_t i)
 {
     const fmb_program_row *r = &p->all.row[i];
@@ -24,7 +24,7 @@ static bool names_new_column(fmb_pruner *p, size_t i)
     return news;
 }
 
-/* Row i is an equality, and joins the others, unless it depends on them; *depends tells. */
+/* Add row i to the independent equalities, unless *depends: it is a combination of them. */
 static fmb_status lock_row(fmb_pruner *p, size_t i, bool *depends)
 {
     const fmb_program_row *r = &p->all.row[i];
@@ -43,7 +43,7 @@ static fmb_status lock_row(fmb_pruner *p, size_t i, bool *depends)
     return st == FMB_OK ? fmb_oracle_grow(p->over_equal) : st;
 }
 
-/* The same, and it goes if it depends on them; else that becomes of it. */
+/* Like lock_row; a dependent row is removed, an independent one gets this fate. */
 static fmb_status lock_or_drop_row(fmb_pruner *p, size_t i, fmb_fate fate)
 {
     bool depends;
@@ -62,16 +62,15 @@ fmb_status fmb_lock_equalities(fmb_pruner *p)
     return FMB_OK;
 }
 
-/* ---- rows that are always tight ---------------------------------------------------------------
- */
+/* ---- inequalities that are always tight ------------------------------------------------------ */
 
-/* May row i always be tight, as far as is known? */
+/* Is row i an inequality that may still turn out to be always tight? */
 static bool is_row_open(const fmb_pruner *p, size_t i)
 {
     return p->fate[i] == FMB_FATE_UNKNOWN && p->row[i].rel == FMB_LE;
 }
 
-/* Open rows are taken for strict ones, or not any more. */
+/* Make open rows strict in the oracle, or weak again; their number. */
 static size_t mark_open_rows(fmb_pruner *p, bool strict)
 {
     size_t marked = 0;
@@ -84,8 +83,8 @@ static size_t mark_open_rows(fmb_pruner *p, bool strict)
     return marked;
 }
 
-/* A conflict, 0 = sum_k y_k a_k with the same of right sides, as the reverse of a row that it
- * names: -a_i = sum (y_k / y_i) a_k over the others. */
+/* The conflict y gives 0 = sum_k y_k a_k and 0 = sum_k y_k b_k. Report its row at place `at`, i, as
+ * an equality, since the other rows imply its reverse: -a_i = sum_{k != i} (y_k / y_i) a_k. */
 static fmb_status tell_of_equality(fmb_pruner *p, const fmb_weights *y, size_t at)
 {
     fmb_status st = FMB_OK;
@@ -117,9 +116,9 @@ static fmb_status turn_row_into_equality(fmb_pruner *p, const fmb_weights *y, si
     return tell_of_equality(p, y, at);
 }
 
-/* There is a solution, but none that satisfies open rows strictly: those of the conflict are
- * equalities, and some are there. They go, if they do, once all proofs that name them are told. The
- * first ones stay, in whatever order the conflict has them. */
+/* There is a solution, but none satisfies all open rows strictly: the open rows of the conflict, of
+ * which there is at least one, are equalities. All of them are reported before dependent ones are
+ * removed, as proofs name them. In the order of rows the first ones are kept. */
 static fmb_status take_equalities_of_conflict(fmb_pruner *p)
 {
     fmb_weights y = {0};
@@ -137,7 +136,7 @@ static fmb_status take_equalities_of_conflict(fmb_pruner *p)
     return st;
 }
 
-/* Is some point strictly inside all rows? Then none is always tight. *room false: not known. */
+/* Does a point satisfy all rows strictly? Then none is always tight. *room false: unknown. */
 static fmb_status look_from_inside(fmb_pruner *p, bool *room)
 {
     fmb_leading_rows t;

@@ -1,16 +1,16 @@
 /* irredundant.c: see irredundant.h.
  *
- * Theorem. Of rows with a solution z, the others imply a.x <= b if and only if a.x <= b holds where
- * they do and a.x <= b + e, for any e > 0. For if y satisfies the others and a.y > b, so do the
- * points between z and y, and among these are some with b < a.x <= b + e. (They satisfy strict rows
- * strictly, too, if z does, even where y is of the closure.) So a row is tested with its right side
- * larger, where a.x has an optimum; there the row is not tight, so it has no part in the proof.
+ * Theorem. Let z satisfy all rows, and e > 0. The other rows imply a.x <= b if and only if they and
+ * a.x <= b + e do. Proof: let y satisfy the other rows and a.y > b. The points between z and y
+ * satisfy them, too, and some of these points have b < a.x <= b + e. (Strict rows hold strictly
+ * there, even if y is only in the closure.) So a row is tested with a larger right side, where a.x
+ * has an optimum. If that is at most b, the row is not tight there, and has no multiplier.
  */
 #include "lp/redundancy/irredundant.h"
 
 #include "lp/redundancy/implicit_equalities.h"
 
-/* Sign of a_i.x - b_i where the oracle stands. */
+/* Sign of a_i.x - b_i at the oracle's point x. */
 static int sign_of_excess(fmb_pruner *p, size_t i)
 {
     fmb_oracle_point_integers(p->over_all, p->point.z, p->den);
@@ -21,8 +21,8 @@ static int sign_of_excess(fmb_pruner *p, size_t i)
     return mpz_sgn(p->sum);
 }
 
-/* How large can a_i.x - b_i be, which is bounded? Where it is positive, the first point seen is
- * enough. */
+/* *excess = the sign of the maximum of a_i.x - b_i, which is bounded. A first point at which it is
+ * positive is enough. */
 static fmb_status push_row(fmb_pruner *p, size_t i, int *excess)
 {
     fmb_oracle_end end;
@@ -36,11 +36,11 @@ static fmb_status push_row(fmb_pruner *p, size_t i, int *excess)
     return st;
 }
 
-/* A right side moves by a power of two, which is so many bits shorter than coefficients, or by 1:
- * doubles, in which the oracle guesses, take it for the same if it moves by much less. */
+/* A right side grows by 1, or by a power of two that is so many bits shorter than the coefficients:
+ * a much smaller change would be lost in the doubles of the oracle's guesses. */
 #define BITS_BELOW 20
 
-/* The right side of row i becomes as it was, or larger. */
+/* Make the right side of row i larger, or b_i again. */
 static fmb_status move_right_side(fmb_pruner *p, size_t i, bool larger)
 {
     size_t bits = fmb_vec_most_bits(p->row[i].v, p->n);
@@ -69,8 +69,9 @@ static void measure_excess(const fmb_pruner *p, size_t i, mpq_t *x, mpq_t out)
     mpq_clear(t);
 }
 
-/* x is of the closure, and a_i.x - b_i = e > 0; at the inner point it is -s. A share of
- * (s + e/2) / (s + e) of the way from there to x it is e/2, and strict rows hold strictly. */
+/* x is in the closure with a_i.x - b_i = e > 0, and at the inner point that difference is -s. Move
+ * x to inner + share (x - inner), share = (s + e/2) / (s + e): there it is e/2, and strict rows
+ * hold. */
 static void go_half_way_to_inner(fmb_pruner *p, size_t i)
 {
     mpq_t e, s, share;
@@ -89,7 +90,7 @@ static void go_half_way_to_inner(fmb_pruner *p, size_t i)
     mpq_clears(e, s, share, NULL);
 }
 
-/* The point where the oracle stands breaks row i; if `beyond`, even its closure. */
+/* The oracle's point violates row i; if `beyond`, the closure of row i as well. */
 static fmb_status keep_tested_row(fmb_pruner *p, size_t i, bool beyond)
 {
     p->fate[i] = FMB_FATE_KEPT;
@@ -115,7 +116,7 @@ static fmb_status test_row(fmb_pruner *p, size_t i)
     return move_right_side(p, i, false);
 }
 
-/* From the last row to the first, at least one of them. */
+/* From the last undecided row to the first; at least one row is tested in each slice. */
 static fmb_status test_undecided_rows(fmb_pruner *p)
 {
     bool over = false;
@@ -129,7 +130,7 @@ static fmb_status test_undecided_rows(fmb_pruner *p)
     return FMB_OK;
 }
 
-/* All passes but the last one. Without a solution no row is left to be looked at. */
+/* All passes but the last. Without a solution, p->left stays 0: there is nothing to test. */
 static fmb_status prepare_pruner(fmb_pruner *p)
 {
     FMB_TRY(fmb_pruner_open(p));

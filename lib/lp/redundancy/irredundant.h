@@ -1,8 +1,8 @@
-/* irredundant.h: which of some rows can go, one after another, by linear programs.
+/* irredundant.h: removes redundant rows, one after another, by linear programs.
  *
- * Three passes: equalities that depend on others go; inequalities that always hold with equality
- * become equalities (or go, if they depend on others); every other inequality that the rows still
- * there imply goes. A row is proved redundant from rows not yet gone, so the removals are sound in
+ * Three passes remove equalities that depend on others; turn inequalities that always hold with
+ * equality into equalities (or remove those that depend on others); and remove every inequality
+ * that the remaining rows imply. Each proof names remaining rows only, so the removals are sound in
  * their order. Source: Schrijver 1986, section 8.1; Fukuda, Frequently asked questions in
  * polyhedral computation, 2.21.
  */
@@ -15,17 +15,17 @@
 #include "lp/redundancy/verdicts.h"
 #include "trace/run.h"
 
-/* fate[m] comes in UNKNOWN; or REDUNDANT for rows that have gone, or KEPT for inequalities that are
- * known to be irredundant and not always tight: those are not looked at. told may be NULL.
- * *feasible false: there is no solution, and nothing else is said. On LIMIT the fates set so far
+/* fate[m] is UNKNOWN on entry; or REDUNDANT for rows removed before, or KEPT for inequalities known
+ * to be irredundant and not always tight, which are not tested. told may be NULL.
+ * *feasible false: there is no solution, and fates have no meaning. On LIMIT the fates set so far
  * hold. Errors: MEMORY, LIMIT. */
 fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
                            const fmb_verdicts *told, bool *feasible);
 
-/* The same without the second pass: inequalities stay what they are, and only their redundancy is
- * decided. Where paused is not NULL, begin with *paused NULL. It stops where a slice of the run is
- * over, *paused not NULL: the next call with it goes on, with the same rows and fates, or close it.
- */
+/* Like the function above without the second pass: no inequality becomes an equality. If paused is
+ * not NULL, *paused is NULL at the first call. At the end of a slice of the run the function
+ * returns with *paused not NULL: call it again with the same rows and fates to go on, or close
+ * *paused. */
 fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
                          fmb_pruner **paused, fmb_fate *fate, bool *feasible);
 void fmb_pruner_close(fmb_pruner *paused);

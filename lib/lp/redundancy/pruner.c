@@ -65,8 +65,7 @@ fmb_status fmb_pruner_write_form(fmb_pruner *p, size_t i)
     return st;
 }
 
-/* Tell of row i, with the multipliers of the last optimum; place numbers its rows, NULL: as here.
- */
+/* Report row i to `whom` with the multipliers of the last optimum (pruner.h: fmb_pruner_drop). */
 static fmb_status tell_with_weights(fmb_pruner *p, const fmb_oracle *o, size_t i,
                                     const size_t *place,
                                     fmb_status (*whom)(void *, size_t, const fmb_weights *))

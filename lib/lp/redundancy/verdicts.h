@@ -1,4 +1,4 @@
-/* verdicts.h: what is told while rows are tested for redundancy (irredundant.h). */
+/* verdicts.h: callbacks of the tests for redundancy (irredundant.h). */
 #ifndef FMB_LP_VERDICTS_H
 #define FMB_LP_VERDICTS_H
 
@@ -6,18 +6,18 @@
 
 #include "num/weights.h"
 
-/* Told of each decision as it falls. */
+/* Called at each decision; each may be NULL. */
 typedef struct fmb_verdicts {
-    /* Row i is a combination (w) of rows not yet gone. */
+    /* Row i follows from rows not yet removed, by the multipliers w. */
     fmb_status (*redundant)(void *self, size_t i, const fmb_weights *w);
-    /* Row i always holds with equality: w combines rows to its reverse. */
+    /* Row i always holds with equality: the reverse of row i follows by the multipliers w. */
     fmb_status (*equality)(void *self, size_t i, const fmb_weights *w);
-    /* x[n] satisfies all rows not yet gone but row i. */
+    /* x[n] violates row i and satisfies all other rows not yet removed. */
     fmb_status (*irredundant)(void *self, size_t i, mpq_t *x);
     void *self;
 } fmb_verdicts;
 
-/* Rows of which some are decided (pruner.h). */
+/* The state of the tests (pruner.h). */
 typedef struct fmb_pruner fmb_pruner;
 
 #endif
