@@ -92,17 +92,25 @@ void fmb_active_set_clear(fmb_active_set *s)
 
 /* ---- proofs ---------------------------------------------------------------------------------- */
 
+/* The row at place r of the basis if it has a multiplier in a proof of row i; else m. Row i and
+ * removed rows may still be basic, at 0. An edge on which the right side falls may give them
+ * multipliers, but they prove nothing. */
+static size_t row_in_proof(const fmb_active_set *s, size_t i, size_t r)
+{
+    size_t g = s->cone.basic[r], j = g == SIZE_MAX ? s->of->m : s->source[g];
+    bool counts = j < s->of->m && j != i && !s->gone[j] && fabs(s->cone.value[r]) >= ROUNDING;
+    return counts ? j : s->of->m;
+}
+
 /* Round the multipliers of the basis for target i; false if they are not simple. */
 static bool round_multipliers_of_basis(fmb_active_set *s, size_t i)
 {
     const int *exponent = s->of->exponent;
     fmb_rounded_proof_begin(&s->proof);
     for (size_t r = 0; r < s->of->d; r++) {
-        size_t g = s->cone.basic[r], j = g == SIZE_MAX ? s->of->m : s->source[g];
-        if (j == s->of->m || fabs(s->cone.value[r]) < ROUNDING)
-            continue;
-        if (!fmb_rounded_proof_add(&s->proof, j,
-                                   ldexp(s->cone.value[r], exponent[i] - exponent[j])))
+        size_t j = row_in_proof(s, i, r);
+        if (j < s->of->m && !fmb_rounded_proof_add(
+                                &s->proof, j, ldexp(s->cone.value[r], exponent[i] - exponent[j])))
             return false;
     }
     return true;
@@ -129,16 +137,16 @@ static void let_right_side_fall(fmb_active_set *s)
         b->value[r] = r == leaves ? 0 : b->value[r] - most * b->entry[r];
 }
 
-/* Is row i the combination of the rows of the basis that count? Where their multipliers cannot be
- * told from 0, or right sides may be equal, they are solved for. */
+/* Is row i a combination of the rows of the basis with multipliers? Where these cannot be told from
+ * 0, or right sides may be equal, they are solved for. */
 static fmb_status combine_rows_of_basis(fmb_active_set *s, size_t i, bool *proved)
 {
     fmb_refined refined;
     let_right_side_fall(s);
     s->supports = 0;
     for (size_t r = 0; r < s->of->d; r++) {
-        size_t g = s->cone.basic[r], j = g == SIZE_MAX ? s->of->m : s->source[g];
-        if (j < s->of->m && fabs(s->cone.value[r]) >= ROUNDING)
+        size_t j = row_in_proof(s, i, r);
+        if (j < s->of->m)
             s->support[s->supports++] = j;
     }
     *proved = false;
