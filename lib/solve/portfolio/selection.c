@@ -40,189 +40,189 @@ typedef struct tree {
 
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 24114 problems of 101 families, seeds 1 to 340008, ways as of commit 3f1633d6.
- * Time over that of the best method alone: 1.152 on families seen, 1.244 on others. */
-static const int START[FORETOLD_COUNT] = {-1502592, -1407108, 1391851, 316201, -163658};
+/* 19579 problems of 101 families, seeds 1 to 390050, ways as of commit 563c3091.
+ * Time over that of the best method alone: 1.135 on families seen, 1.209 on others. */
+static const int START[FORETOLD_COUNT] = {-1861401, -972894, 982344, 942706, -197951};
 static const short WEIGHT[FMB_FEATURE_COUNT][FORETOLD_COUNT] = {
-    {7114, -1822, -2903, 4022, -218},
-    {1401, -1503, -119, 1108, -134},
-    {-3554, 3995, -469, 828, 243},
-    {-3076, 1308, -262, 662, 23},
-    {-888, -701, -919, -455, 56},
-    {1339, 1380, 775, 293, -49},
-    {-6792, -5188, -2962, 1070, -84},
-    {-9575, 5218, -2140, -999, -887},
-    {-2836, -1414, 1183, -239, -101},
-    {-257, 2771, 257, -14989, 1561},
-    {3618, -1159, -1956, -467, -282},
-    {-4103, -2946, 2711, -1337, 499},
-    {999, -457, 1548, -599, -22},
-    {199, -440, 516, -90, -33},
-    {-4, 364, 637, -395, 130},
-    {2332, -2139, 1435, -2420, -114},
-    {2511, 177, 880, -539, -74},
-    {896, -1760, 1452, -876, 123},
-    {502, 450, -413, -123, 52},
-    {-807, 1609, -1876, 29, 170},
-    {5162, -245, -1147, 68, -183},
-    {-117, 774, -629, 763, 153},
+    {7239, -1236, -3348, 3727, -305},
+    {1498, -1690, -101, 1148, -108},
+    {-3694, 3225, -37, 585, 388},
+    {-2778, 1065, 25, 552, 49},
+    {-985, -1018, -1427, -176, 60},
+    {1716, 1141, 472, 788, -159},
+    {-6973, -5097, -1949, -169, 130},
+    {-9808, 4219, -1467, -599, -970},
+    {-2404, -2295, 791, 359, -61},
+    {-3233, 4047, 2977, -13390, 1632},
+    {3728, -940, -1768, -279, -293},
+    {-3547, -3231, 2806, -1140, 541},
+    {811, -332, 1635, -599, -55},
+    {157, -383, 475, -40, -10},
+    {168, 282, 505, -383, 162},
+    {1640, -1266, 1242, -2573, -211},
+    {2503, 523, 835, -651, -77},
+    {1058, -1592, 1075, -1108, 160},
+    {352, 584, -223, -358, 42},
+    {-663, 1300, -1516, -99, 147},
+    {4648, 293, -915, -485, -223},
+    {-444, 848, -586, 750, 195},
 };
 static const tree TREE[] = {
-    {{{14, 2304}, {6, 58}, {19, 1056}, {0, 384}, {14, 1360}, {5, 533}},
-     "mmmmmmmmmmmmmmmmmmmmknnnlmmmmmhnnnmmmmmmotgmlmmmmmksnkmonnmmnvhlmkmpmnlrmjm}kqgmqlkomhkopnmnl"
-     "kmnnnmmmmmnlilnmnkmmmnmmlnmnklnmdlnpmgssmmmspmmqknknfjqpnslnjmsinkmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmminnnmmmmmmmmmmmmmmmmjknonmmmmmmmmmmmmmmmmgksmnimlmmmmmmmmmmmnmmnmpmeolmmmmmmmmmm`onpmsogq"
-     "mmmmmmmmmmmtolnlqhmolmmmmmmmmmmvkonlogkrm"},
-    {{{14, 2241}, {6, 66}, {19, 1040}, {11, 112}, {0, 576}, {14, 1424}},
-     "nknnlgpnpljsnplgpopmmjlmmljnkollnlmmipjnorkkllqnjmnpmpmwomkllrhkmlqkjmlnmomxmnkmmkmnmlmlmmnsl"
-     "olislpmnmlomnlnlnnnmlmmlnjmmjoknnnolmrqjmmxmjkmgkosmjjplmbjqtmmgollmmmmmlnmnmmmmmmcooommmmmmm"
-     "mmmmmmmmmmmmmmmmmmmjjmqnmmmmmkkkrmmmmmm{mollmmmmmvinkmmmmmmqngrmmmmmmhrkpmmmmmmooinlmmmmmnmnm"
-     "mmmmmmzimnlmmmmmqlkommmmmmahnrlmmmmmklmnm"},
-    {{{18, 1521}, {5, 512}, {11, 46}, {19, 928}, {14, 1360}, {7, 21}},
-     "klmplnjommhljomkmnnmnjnmnojlnmkimmnknnnmmoknmommmlnmlnmnlmjnnoklnlpjnlnomkmmpmkmmlpnmkknlnhpk"
-     "nmjqlnmmktmm_megmnonjmrlnlmknlpmkmlomimnmmjlmmmiloqmmnmomqiqnmqlmmmmmmmmmmmmmhqkpmepnommmmmmm"
-     "mmmmhplpminlqmmmmmmmmmmmmmllmmnknlmmmmmmmmmmomkomnnmnmmmmmmmmmmmiriplhqmmnmmmmmmmmmmukknlpmjo"
-     "mmmmmmmmmmmgslmlmmmmmmmmmmmmmmmmplmlplmmm"},
-    {{{14, 2368}, {6, 66}, {3, 1408}, {19, 1104}, {11, 128}, {0, 512}},
-     "jplmlipnqmlklmnljmlmmrmkmuomkmmqikmqpkkmmmmmmmmmmmmmmmmmmmmmlmnkmmnlnkmmmmmjnnmmmlmmmmnlommmm"
-     "nmnlmlmmnplmtinkmfkormcipqmmmmmmmmmmmmmmmmmmmmmmrhompmjnommmmmmmmmmmmmmmemnmmmmmmmmmmmmpnmmmm"
-     "mkqmtnolmzjjnlmmmmmmmmmmmmmmmmmmmmigmonjhjtmmmmmmplknmjkinmkmknmmmmmmmmmmmullmmolmmmmmmmmmmmm"
+    {{{14, 2382}, {6, 66}, {19, 1040}, {11, 113}, {0, 512}, {18, 1059}},
+     "mlmmljnmnnkrnplfpntmmklnmlmmmmklmlmminjnorkklisoknspllmoolomltgllknokmopllnujmlmmknnmnmkkmlnm"
+     "nmjpkqmmmmomnmmlmlmnmmnjnjnlkoknnpplmvjoinwillmhkotmjkpolbkpsnlgommmmmmmmmmmmmmmmmhmnnmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmgfooommmmmkgjqmmmmmmrmomlmmmmm{illlmmmmmmlimmmmmmmllklmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmtjkllmmmmmommlmmmmmmmmmmmmmmmmmmmmm"},
+    {{{6, 252}, {5, 524}, {19, 960}, {14, 2026}, {1, 928}, {11, 56}},
+     "nknmmnlllmlkpmmoonmmdpmqmjokmmglnnmmkolmpkmmnnlkmmmnklmmtilljoonmooplmhjmonqomlmjlmmnknmnmimm"
+     "pmimonmjpjnmjokllkmkomlmlkmkjoknllppmpnpimljppnqlnmmjnplltijlmpgpqmommmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmminlommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmloknmmnlmmmmmmmmmmmmksjplmnlmmmmmmmmmmm"
+     "mqomlmkllnmolnkmmmmmmpqlnllmmmmvlimmmmmmm"},
+    {{{19, 768}, {7, 21}, {4, 409}, {11, 128}, {14, 1296}, {12, 1168}},
+     "lnnmmmmmmmlonqmmmmmmoqllmmmmmmponommmmmmnnmmmmmmmmonmmmmmmmmmmmmmmmmmmmmmmmmmmmmllplmmmmmmjlq"
+     "lommmmmpomklmmmmmolpkommmmmqlpmmmmmmmolnlmmmmmmqlolnmmmmmohojommmmmmmkonokrnnkklomqmjlmmrilmg"
+     "mqqmpmmnmjqmllmklmmljsonklnlnpmolmnnlmmfmnpnllllndgorlipkplpmllmiomomnolmmknknmlmmmmnkmmnlmnl"
+     "mlmlnkhmfmmlommmmnllmmklmmmnnonnknkmskmll"},
+    {{{14, 2382}, {6, 66}, {18, 1472}, {0, 576}, {11, 113}, {19, 1136}},
+     "komnloqmkllmkllmqjkmksmrmwmklmmlmmmsnnkmjlmnmkmpmnmmmmmmnommhmnqmlmmnmwjklmrmolmmlmmmonokmmlm"
+     "mmfjnrmmrlomullimmmmlmehpqmmnlmmlonomjrlllklmnmgpksmnnknmlmmlmmmmmmmmmmmnojmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmlnlmmmmmmjgnnnmmmmmulmmlimnomnjlpmmmmmmrjlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mkjgmlslommmmmmmmmmmmklmmmmmmmmmmmmmmmmmm"},
+    {{{0, 384}, {14, 1978}, {19, 992}, {5, 490}, {11, 46}, {14, 1376}},
+     "pkmnmplkmmqnlnmplkknlkqommmkmmlmmqnnmoqmmkkonjplnmomimllpjlmillmmlsommlmmpmmnlmmmmmmmllkmmmmm"
+     "mmloklmmmmmmlpmllmmmmmpoopmmmmmminpnnmmmmmhsqmmmmmmmjqoolmmmmmhooomlkommmmomnmnmmlnkmjnllmlnk"
+     "okomjnmnnklmmmnlmmmnnlllmqkmmmrlimjjolmqknjmklnonxkoimmmmmmgnnpmmmmmmknlnmmmmmmkojommmmmmllml"
+     "mmmmmmkjmnmmmmmmonllmmmmmmskklmmmmmmqjolm"},
+    {{{6, 252}, {4, 565}, {0, 384}, {7, 16}, {19, 928}, {14, 1376}},
+     "mmnonlnlompmnnnmoonmqmmnmomlknkmhllkrommlnlmminlnmmlommqknkmmmmmllmmmnjolmlnnmmmmmmmmmmmmmilo"
+     "pmhnnomqlmnmqjklmmjlnnjnnmmmmmmmmmmmmikqpmkgomnmjolnninkmnmknnnllmlmlonmmnkllnmnmmnoolmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmirkpmomnmmslkmmmmmmmmmmmmmmmmmmmmmmmmmmmommmmimmomislommmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmnlnmmrnilmmmmmmmmmmmmmmmmmmmmm"},
+    {{{12, 1934}, {2, 1104}, {19, 1320}, {8, 170}, {14, 2088}, {12, 832}},
+     "nmnmmmmmmmgonrmnmmmmlojpmnqklmlqiolmopmmmmmmmoqjlmmmmmmrkimmjnlnllnlnmlnlmmhlnnn}lnhmhmnkmmmm"
+     "mmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmbjosmmmmmmlilmmiklmnmlmmlggqnnkglnnmmmmmkmnommmmmmrllnmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmqknmmmmmmkpjommmmmmlmmnmmmmmmlmmnmmmmmmiollmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmgogmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{19, 640}, {0, 576}, {12, 1040}, {19, 1288}, {7, 21}, {14, 2088}},
+     "qpmkmmmmmmqlplmlnmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmolo"
+     "kminomlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlnmjnjommlmmmjomnmjmllnj"
+     "ipnnmpnlmknplnllpmmplnmlllklmloplmmoknmnlkommokllkmlmmnnnmminmnmlmnmminnpmzmnimllmmmjmmomlkmo"
+     "mspikmopjnmpqknmomlomelnqnojklmroknmnllpm"},
+    {{{5, 787}, {12, 1644}, {16, 1520}, {15, 704}, {14, 1772}, {5, 524}},
+     "mmmmmjlnmmmmmmmnmmmmoskkmplolmnonmmsjnmmmmmmmmmmmmmmmmmmmmmmknjmjmmmmmjhonnmmmmmmlkpnjkpnmfpn"
+     "nmmmnmmlmlmmcjotmmmmmmiilnmjmmnmppkmmlmlmmiphommmmmmmmmmmmmlmmmmmmmmmmmmrnknmmmmmmqmjnmmmmmmf"
+     "lmnmmmmmmlnhmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpomlmmmmmmmmmmmmmmmmltkkmmmmmmgnhl"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2170}, {4, 384}, {7, 16}, {11, 112}, {5, 533}, {15, 384}},
-     "mnnomlmkomirlnmkmmlmopmlmkpilmiolkmploomkmomnjlkonhomomlmkmmonnkmkmknmlmokmnkmnmjnmmmnlokmlml"
-     "mmomrkmjmnmolpjlnjmonmcjnsmnmmmmlolllnnklmimjjnojmlnnmmlmimolminlommmmmmhqirlhslomqmhommmmmmm"
-     "mnmmmnmmmkplmlcoonmhonpmjomnmlnmommmmmmpmmnmmmmmmpmnmmmmmmmoknnmqmkpmxinlmmmmmmvmnmmmmmmmchmo"
-     "ldonqmkmmpmpmlmmommmmnmmmmulplllmnlmkmnmm"},
-    {{{12, 1946}, {4, 565}, {0, 384}, {18, 1377}, {19, 1024}, {12, 1024}},
-     "pmlnmlmnommpjnmnpmlmlnlkmlnlkmjrnnmpnommmlnmmlnlmmnnmlmomnkmfqnqmkokomeqltmsjmmmpknmmolkommll"
-     "mmjlmomojlkmomkkmjmnmnfnqmmmkolmnllomjjnlnllnmmjjnkmlmknmjfmnmoilnmmmmmmmmmmmmmmmmjrimmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmbqgimmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgrmpmmmmmmmmmmmmmmmmhrkp"
-     "lmmmmmmmmmmmmmmmpmmlmmmmmmmmmmmmmmmmrlgnm"},
-    {{{19, 768}, {7, 21}, {14, 2054}, {0, 512}, {11, 64}, {13, 960}},
-     "mommmmmmmmqpnommmmmmmmmmmmmmmmlnokmmmmmmlnmnmmmmmmmmmmmmmmmmmmmmmmmmmmnmmlmmmmmmplolmmmmmmrln"
-     "kmmmmmmmjqlnmmmmmomnlmmmmmmmmmlmmmmmmmmmmmmmmmmfnoolmmmmmknmnmmmmmmmmnmmjnommlmlmmhlprmqnmjmr"
-     "lmkmlmmmmoorhmmllnmrknlmonqmlglonljokqmqnknmoinmlllnkmmlllmflhkmmmkmmomonmnmmmmnqinmkmmmmqokm"
-     "njnnlmonmmmisplmgopmmimlqmopiomnmmmmtkokm"},
-    {{{6, 253}, {18, 550}, {5, 338}, {6, 70}, {5, 522}, {10, 74}},
-     "mmmmmlinkmmmmmmmmmmmmmmmmqlolmmmmmmmmmmmpskmmlqknlptlgnojmnnnmlnmmmlmlilornqnlmmmmmmmjllnlmmm"
-     "mmmmmmmmmmmmnkmlmmmmmmmmmmmonllmnonmn|lnklqfpnmlmlmmmmnmmklnlmnlnnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmnmmmmmmfnjnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqomnmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmlmmmmmmmmmopkmmmmmmm"},
-    {{{12, 1946}, {4, 565}, {0, 640}, {15, 704}, {11, 139}, {5, 501}},
-     "mmmmmmlmmmnlmlmknmnmnqmlmrnokmjthmmllkomkqnnmnrklmmmmlmjlokmommomvkojmlolnmjlplmmkmmmlkommskm"
-     "kmjknomkklmmjnkmmkqpkmilmpmkqlqmlmmmmsolnmmmmmmlmmnmmmmmmpolnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmme"
-     "qflmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmknmlmmmmmmmmmmmgonpmooknmmmmmmlllmmmmmmmmmmmmmmmmmjllo"
+    {{{4, 396}, {21, 0}, {8, 128}, {11, 46}, {5, 534}, {7, 16}},
+     "hlmomllnlmknnlmjllmmpmnonkmmnmlmrpmmmllmmmmmmmmmmmmmmmmmmmmmmokkmlnjmmulolmqkmnmklnmnjonnmmnj"
+     "nmhqlpmlollmnnllmkolmmhlnlmjoiqmkomommiknmmmmmmjokmmlmjmmoljomkkknnflknmnjmlmlmommfnhinomkmmm"
+     "nlmmhkpomrnmnmonqlmmlslnpnolmlmmmmponjmlqllljlmqmmmllmqkokmlnmomomnmmnmolmokmkmolmlmjmolmgkqk"
+     "mlknlnlmlnltnnlmmmmmmmlmlmlmmlmjjlnmjmlnm"},
+    {{{19, 768}, {15, 256}, {18, 554}, {0, 384}, {12, 1040}, {0, 512}},
+     "soommmmmmmmmmmmmmmmmomnlmnmnklmmmmmmmmmmrlnlnmmmmmmmmmmmmmmmmlnkmlmomnmmmmmmmmmmommnmmmmmmmmm"
+     "mmmmmmmmmmmlmnmllmmmmmmmmmmoomommmmmmmmmmmmmmmmlnmmmlmpmmmmmmmmmmmmnnmnnmmmmmnmnommmmmmmmmmnk"
+     "mmlmlmmnmmnmnnolllnmmmmmnlkmmmmmmmmnlmmkmlmmlmjnmkqjomnmknlmmmmmmmlommmmmmlmllllmmnmnmmmmlnkn"
+     "mmmlmmmmmmmknnmmmmmmmklmmmkmmnmmlokmrkllm"},
+    {{{18, 1522}, {4, 554}, {19, 1200}, {0, 640}, {11, 168}, {12, 1264}},
+     "mmmmmnlnlmnmmmnjlpommpnnmrtjomkknkmlknmmppnlmpplkmorikmikkomulnlmokmmmnlnmmkopimmkmmmlknnmqkm"
+     "lmsnlnmipmpmmqlomtnlmmpmlmmllnmmkmlnmpnnkmjjmomnmmnmollmmmmmmmoolomjplnmomlmmkollljqmmlemnnmj"
+     "olnmmmmmmmmmmmqmnmlrlnmmmmnmmmmmmmmmmmmnmmmmmmmmmmmmmmmlmlmnlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mnnmlmlnkommmnmmmmmmmlmmnmmmmmmmmmmmmmmmm"},
+    {{{6, 252}, {0, 576}, {15, 576}, {16, 704}, {14, 1772}, {21, 0}},
+     "mmnmnnnmmmollmmknknlllmmmmkonnnmllmllmlmhlopnjlmomskoqmlljnmmoklmonmmmnoommlmmmmklolmmollmmjp"
+     "jnlnlmllpmnlppnnnlnkpmjnlomomnmmjkmnmnkommpinkmolnnmkolnmokllmrllnmmmmmmnlmnmnmnmmlpkomklnnmo"
+     "nmmmoollmlnllmmmmmmlllmmmmmmmplkmmnmmmmjnlmmmokmmnollmmmmmmmnmmmmmmmmipnnmommmmmmmmmmmmmmjpko"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{1, 1328}, {3, 1312}, {14, 1652}, {12, 1264}, {7, 21}, {10, 5}},
-     "kknnmmmlmmmknmnmmmmmmlqmmnlronanehmmmmonjqkommmmlmkolpmlnmlmpmmlmlknlmomkmmqllmmookkmmpjmmmnl"
-     "mmnplmloqmkmlmlpnmmmmmonknmlmknmmlmnnmmmmmnmomnmngnmjlknmmmmmmkmjnmmmmmmplmlmmmmmmslmmmmmmmml"
-     "nmlmmmmmmknmnmmmmmmrlrtmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm{moimmmmmmmmmmmmmmmmikknnmmmmmhmln"
-     "mmmmmmlgpmnmmmmmnlmmmmmmmmnklommmmmmllknl"},
-    {{{5, 788}, {12, 1644}, {0, 384}, {14, 1924}, {11, 46}, {3, 992}},
-     "olmmmnmmnmommnmomkmmmmlkmlnolmmnmnmjrpmmllnmmnlnkmmmmlmmnmmmiplommlmnmlkmlmnmmlmmmmmmjonnmmmm"
-     "mmjkkpmmmmmmjqmommmmmmgkmnmmmmmmmkolmmmmmmflmrmmmmmmrkkmmmmmmmijlnmimiomilnmmlmmmmnmllmjnipmo"
-     "mjmmlpknmomjmmopjomsjmjmlnmmmknmnmkolomqljnmnmmmmommnmmmmmmlskmmmmmmmmmmmmmmmmmkpmmmmmmmmmmmm"
-     "mmmmmmgojjmmmmmmlmmmmmmmmmmllmmmmmmmlnmmm"},
-    {{{5, 788}, {16, 384}, {14, 1248}, {15, 384}, {0, 384}, {13, 512}},
-     "oomllmmmmmppmkmkmnjmmmlnmmmmmmmnllmmmmmmponqnmmmmmlmolminlmmlmkommmmmmimnomlnpmmpmnmmmmopnmln"
-     "mllmmnmnljnmkllnmlmlmmklmnmolllmmmlkmlmnmnlnkmmmnmmmkonmmnlmmmpknlmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmhkmommmmmmckmmmmmmmmmmmmmmmmmmmnmmmmmmmmmmmmmmmmmmlmmm"
-     "mmmmmmmmmmmmmmmmmqlmmmmmmmlqimmmmmmmookmm"},
-    {{{19, 704}, {0, 576}, {13, 800}, {15, 256}, {16, 768}, {21, 0}},
-     "pmommonnlmojokmnmnmmpnoqmlmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlomnnmnlmnmn"
-     "nllmnmmmlnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmlommnnlmlmnkmlmllmnmk"
-     "mknmmnmlmmmmmmlmmlmirlomomknmjmknmjmpnmnlmmmkmmmmnlommmmmmmkommlmmmnmkonnmjkpmmmmmlmmmnnmlnmo"
-     "mklokmfqlnmlskpmjqlomlmmlmrqjkmsoilmronkm"},
-    {{{19, 640}, {11, 240}, {7, 21}, {5, 699}, {14, 2112}, {0, 512}},
-     "qonlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpmolmolommmmmmmkmnmmmmmmmmmmmmmmmmmmmmmmnnmlmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmnmmmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmmlmmlmmmollnmknnlmq"
-     "njlmrkmmmnolommmllmmmmnmlonlmlnmpm`pdlmnmlkmkonlmnnmmmjnpllnpqimipmlllnlmmjomnminonmmommllnnl"
-     "mjmnnniiomnkmnmmjlnmmmmmmmkmnmmmmmmmjmnlm"},
-    {{{3, 1352}, {8, 151}, {1, 1216}, {4, 384}, {21, 0}, {14, 1768}},
-     "lmnnmnkomnlnlmmlnlmmlmmmmnmmmmolnmmmmmlmnkpnmwlpsmpnnkmjlmlmmmmmmmmmmmmnlmmmmmmmollmmqknlmkmj"
-     "pmkliomonllmkppmmqnlmmlmmlmvpmimjpjmmlpllmlokmmnollmknlmmmnllmlokmmmmmmmmmmmmlmmmmlmlmmnojnmo"
-     "njomoolmmkojommmmmmmmmmmmmmmmhlhmmklnnmjlmnmnonilmmmmmmmmmmmmmmmmmmmmmmmmmmoommhnnmmmojmljmmn"
-     "nmmmmmmmmmmmmmmmqkmmmfkoqmmkllmkljnklinmn"},
-    {{{14, 2198}, {12, 800}, {16, 928}, {21, 0}, {11, 46}, {10, 85}},
-     "jnmolmkommnnmommmnnmlnnmmmnnpmonlllnlmlmahkjnnfpjnsmnkmnkolmmmmmmjnnpmmmmmmllmlmjlllmmknlnmlm"
-     "mmnmmmmnmnmmjmkomknllmlmllmomlmmojolnjmlomlqlmlnmmmmlnommlnmlmmllmmjonomlmmmmmmmmmmmmmmhmnmmm"
-     "mmmmmmmmmmmmmmfpmrmmlmlmommqmmmmmmlmmmmkmmnmmmmmmmmmmmokolmmllnmjmnnmommnmomlnmjnjnmnnlmlnlmm"
-     "mtlllmqlolmrkinmsmpkmollmmlkmnmololljolom"},
-    {{{6, 245}, {15, 256}, {12, 1168}, {14, 1360}, {1, 928}, {0, 384}},
-     "pnnnnmmnmmponlmonmklplmknlmmlmnmmmmmlolokmoonomlpnmmmmmkrlokmmmlmolklmmmmmmlqkommllnmmmlnmnnl"
-     "mllnmmmknnlmlnmmmnnlomllnmmlllnmllommonommkmmnmknommpknlmnmlmmmmllmonmmmkommmmmmmmmmmmmpnmmmg"
-     "smpmmmmmmmmmmmkmmmmrknkmmmmmmmmmmmmmmmmfqjpmmmmmmmmmmmlmmnmnmmmmmmmmmmmmmmlojlmjplpmmmmmmmmmm"
-     "mjmonmqmnmmmmmmmmmmmmmommmqllmmmllmmojmlm"},
-    {{{19, 1200}, {14, 2028}, {15, 256}, {12, 1024}, {7, 21}, {11, 128}},
-     "nnnlmmnlklnlmlmolnlnjomlminmnnnnlmmmlmmnllmmmmmlnmlmmnmmkmmmnlommlmnmmmmklmmknnmkonnmmmmmmjnn"
-     "nmmnmnmhqkommmmmmjplpmnnlnmgpmqmnmlkmjnmnmnnnmlnlmlmpnnnmmnmmmsllnlmmmmmmmmmmmmmmmmmmmmmknlmm"
-     "mmmmllpmnmmmmmjlllnqqljmnnmnlmnlmmnpmlmjmmnmnnmlmmolmmmmmmmmmmmmmmmmmmmmmmjniommmmmmqllmmmmmm"
-     "mmkmmmnnmlmlmmnnpllmmomlnmikmomkmmmmnmpll"},
-    {{{5, 788}, {12, 1644}, {2, 832}, {14, 1832}, {5, 501}, {19, 992}},
-     "mmmmmnklmmlmnmmlmnmmlmmmmlnnmmnnlmmnlnlmnnmnnnplmmllmnnpmnkmniojmmmmmmmknomslmmmmmmmmnlkommmm"
-     "mmjlnmmmmmmmhpnnmmmmmmmmlnmmmmmmmmmmmmmmmmiknqmmmmmmnmlmmmmmmmikmnmmmmmmmmmmmmokomqlmkmmmmmmm"
-     "mmmmlokomomlnmmmmmmmmmmmillomiknlmmmmmmmmmmmjmlnmnlkmmmmmmmmmmmmmmmmmnnmmmmmmmmmmmmmmmmmmlomm"
-     "mmmmmmmmmmmmmmmmjrllmmmmmmmmmmmmmmmmhkjmm"},
-    {{{0, 576}, {15, 576}, {14, 1424}, {11, 0}, {12, 928}, {21, 0}},
-     "jjnmmnlmomhmlmnnkommmmnmmnnlmmmmlomklmoninmomkomomnmllmmmmmmnmlmmmlnkmnlllmlkmkmfjlkolplpniok"
-     "lmrllkmmmlmllmknmonllmnlmmmhklmmlojolmpommmmmmmlmnnmlllmmmnonmnmmmmmnmnmopmnmnmmkmtrjnmknmllm"
-     "nlmmmolmmlnmnmlmmmmimommqnlmmjommmknmnmmmnmmnmkmmomlmmmmmmmolmmmmmmmmnmmmmoknnmknmpnflopnknnm"
-     "mmmmmmqlmlmommmmolnkmtmnkmnknmmokmlmtmkkm"},
-    {{{5, 338}, {8, 54}, {3, 1072}, {1, 928}, {20, 0}, {15, 512}},
-     "olmmlmmmmmklnmmmmmmmmlomnmmmmmnlmmnmmmmmmjolmmmmmmkimlnmmmmmmjpjnmlmlmpfnhmmmmlmpnmnkmmmmmknm"
-     "nmnlmmmpnnkmmmmmmmmnlnmmmmmlkmnmlllolllmmmmmmmnnlmlmlmkmkllmmmjlmmmmmmmmmlmmmmnmmmnmmnmllolml"
-     "jnkmnmlmmlmjnmnmnnmlnklmmlmnmpmlnmnqlnlgmllminmnmlnkpmlmlmmnllnnlmmkmnlnlmmnnlmklmnmommomrknn"
-     "mlllnmplnlmknmmmlnommmkmlmnommmjkllmnmlmm"},
-    {{{11, 240}, {5, 559}, {0, 576}, {15, 704}, {14, 1424}, {16, 768}},
-     "mnmmmmlmmmmllmmmmmlmrkmknnpllmqjonmnmmmmmmlmmmnmmmnkolmmnmnmnmnmmonlomnlnmmpllnmommnmkmnmmlmm"
-     "ommlnmmnllomlllnmiklmmmolnmopjmmspkmmkollmoolnmlmmmmeknpmnmljmpknlmnnmmmnmommklolnhlrlnnllmmm"
-     "mmmmmlmnnmmmmmllmnmnmmmmnlnlnlknlnmlnmmghmnnmlnmmmmmmmlnonmnommmjonlldpmmmmmlmmmmmmmnmlnmmmmm"
-     "mnmommnmllmnmokmempkmmmmmmmpphmnmnnmmmmmm"},
-    {{{6, 245}, {16, 1528}, {0, 384}, {12, 1264}, {18, 1377}, {7, 0}},
-     "nmmnmnmmmmmmkmmmnnlmmmonmlmknmmmlmmiponmmmmlmmmmmmjmkomlnmnmmmnmmmmmmmnknmmnlllmmmmmmnmmmmmmm"
-     "mmmkmnmmmmmmnmkmmmmmmmkklmnmmmmmlmnlnmmmmmnjmnmmmmmmmmlmkmmmmmjkkomnmllmmmmmmnmklmmmmmmkommmm"
-     "mmmmomnlmmmmmmkplnmmmmmmhrnpmmmmmmolmlmmmnmmnmlnmmmlmmmmmmmmmmmmmmmmmmmmmmjqknmmmmmmlolnmlmmm"
-     "mmmmmmmmmmmmmmmmmmmmmrmllmolllmomjmmknkom"},
-    {{{5, 744}, {3, 1104}, {13, 1024}, {0, 512}, {18, 1377}, {7, 21}},
-     "mmmmmmmmmmlmlmmmnllmmmmmmmmmmmknlnljompmkmpmmimkkmmlnlmqkllmnnlmmkmllmkolnmlmnmmonnlmlmmmmpml"
-     "mmkmmlmnmmlmnmmmmplkommlmnmkmlomplnnmkmmnmrmmmmnlolmqolnmqkonmnmlnmimkommmmmmjojnmmmmmmlnlnmm"
-     "mmmmiomnmmmmmmnmnlmmmnmmplmmmmmmmmrmklmmmmmmmolnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmpkmmdpfmmomlmmlnmmminmkmlmllmmmmmmnmmmm"},
-    {{{10, 145}, {11, 112}, {4, 412}, {6, 82}, {5, 512}, {1, 960}},
-     "komomjloknlmmmmpknnmllmmmomonnmmmmmklmlmmmmmmlmlmmuoplmwnnlmnlmmmllmlmmmmmmomnlmmmlmlkqlmllol"
-     "nmslmkmmmlmmonnlmmnmmmnmommokmlmnnknmmmmmmjknmmnlnmmmmmmminmnmfknpmlnlnmkokqmmmmmmmmmmmkmmnmj"
-     "mlommmiomkjnnmlonnmnmmlmmmmmmmmmmmmomnlnonmllpnnmmmmmmojnlnmommmljnonlkmpnlmlnlmnmmlnninmmmkn"
-     "mmjnlnijoinmmmmmmmmmmlmmmnmmnlmmmmmmmmmmm"},
-    {{{5, 362}, {18, 550}, {14, 1768}, {3, 1104}, {1, 960}, {8, 64}},
-     "nmmlmonmmlnmnlmomnklljnlnlimnnmipjnnmmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmklnmnommompmlmmomn"
-     "mmnnomolomomkmlpmmlnmmnnkmkllmmmlnlommkolplmnknlkmnmlmmnmognimllnmnlnmnmmmlnmlnmmmmnlmlomlmno"
-     "mmmmjloonlnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmnmmklmnmmmonnjmnnmnmmmmnlolnknmlmromk"
-     "mmmmmmmmmlmmlmlmplnmmomlmmmmommjmlnmlnlmm"},
-    {{{5, 699}, {7, 16}, {11, 240}, {21, 0}, {11, 56}, {6, 122}},
-     "jnmmmlmmnmnlmlmlnpnmplmmmlmmmmmlmmmmmlmmmmmmmmmmmmpnnmmpnlkmmmmmmmmmmmonojmjnnllnkmlmnmlmmlnl"
-     "mlommmmmnmnmlmmlnnmmmmmmmmmmmmmmmmmmmmmmmmupjmlmmmmmmmmmmiiomoglqlmmmmmmmmnmmmmmmmlmonmmmmmmn"
-     "mlmmnmmmmsllkmmmmmmmmmmmmmmmmnmmlmmmmmmmmmmmmmmmmknmmmmmmmmfphlmmmmmmmmmmmmmmmmnnlmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmhmolm"},
-    {{{0, 704}, {14, 2028}, {15, 256}, {12, 800}, {7, 45}, {4, 554}},
-     "nnnkmonmmmolnmmnknlmmolmmklnmnmmmmmomlmmkmmnmnmmmmnlnmmmjolmmmmmmlmmmmmmlmmmkmmmllmmmmmmmmlon"
-     "nmmlmlmhqmomkmkmmkpmpmnnlnmhonommmmmmknmpmmjmlmnmmmmlmmmmnnmmmmlmmmmmmmmmmmmmnnmmmmmmmmmmmmmm"
-     "mmmmmonlmmnmmmnmmmmmmmmmmmnlmmmmmmlmrlmmmmmmqnnmmpnlnmmmmmmmmmmmmlnlmmmmmmmmmmmmmmmmiknjmlmmm"
-     "mmmmmmmmmmmnlmlmmmmmmhmnlmmmmmmiknkmolllm"},
-    {{{10, 145}, {11, 112}, {13, 384}, {18, 1047}, {3, 1200}, {21, 0}},
-     "llmlmolnmmkkolnonnmmnlmnmmlmlmoknlnlmmnmlmmmmomnmmnnmmmlnmmmnmmlmlmmmmnollmlmmmmlnmmmmnmmmjoj"
-     "mmkpilnolmmmmlmlmqmkpmrnmkmmmonmkmmnmolnnmllmmmommlmnmmlmhlnnmnkmmmnlmmlnmmnlnmolmnmnmmlommnl"
-     "nmomnlolmmmmmmnoknkknkpmmommmnmnnnkpnmnjnlommmnmmolknlmlmnnllmnmlomlmkknllmlmmmlkmknlnolmjmmm"
-     "mnnlmmlmlnnmmmmmlmmmmlklnmmlmlmmmmmmmnmmm"},
-    {{{10, 74}, {5, 472}, {11, 128}, {0, 384}, {19, 1040}, {1, 960}},
-     "omlmmnmmmmlnmnmknmlmmmmnmmmmlmkokomlmkmmnokmlmmmmmonommmmmmmomlmmonlmlqonjmpmkmnmmmlmmllomlnl"
-     "nmplmmmmmmmmllnmmnlmmmjlmlmlnlmlmmmmmmllnmlllnmkmmmmmnlmminnmmlmlmmmmmmmnmmmmkmomnlmlmmlnmmml"
-     "mnlmnlnmmlnmmmlnnonnmmlmomoomllmmmmkmlnnmnkmojmmmjpllmmmnmmmnnnmmnonmlokomlmlmmklmnnrkokmqlnk"
-     "mmmjmmomnpmlmlnmmokmmmmmmmnmnmmpkoomlmlmm"},
-    {{{0, 640}, {4, 528}, {12, 864}, {14, 2136}, {11, 93}, {6, 104}},
-     "lmmnmmmmmmnmmmmmnmmmjnlpmjompmmonpmnmlmmpmnlmlmmlmlmlmmnmmmmqllmmnmmmmlnplmlnknmlknlmolmlmnmm"
-     "mmonmmmllnmmmmmmmmmmmmmmmmmlnlmmlmmmmolmmmnmmomlmmmmnmmnmlmmomgmmmmlnnlnkknjnomnmmmlolmklnlmm"
-     "mmmmmnmnmmmmmmromlmoslnmimnmmnmmlmilnkmjnnkmolmlmhmokmnomnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mlplpmmmmlmpolommmmmmknlommmmmmqkllmmmmmm"},
+    {{{0, 384}, {14, 1922}, {1, 960}, {19, 896}, {5, 506}, {7, 0}},
+     "mnlmmpmmmmmmlommmlnmlllmnmlknmlmnnmimimnoonlmonolnponqmmmmmmlojnmomlllnnommnpmlmkllmmmnlkmmlk"
+     "kmlnnlmlmmlljpqmmjpommjpoommmmmmmmmmmmmmmmmmmmmmnjmmllnnnqkmommmmmmkmmlmmlmmmjnmmmmmmmmpjnlmn"
+     "mmmmolnnmllmlmmmmllnmnlmjnnmmlmnlmmpljnkolmllkolmllmlmjmmmmknmnmiplomknlmmlmnlmnmmlmollmmolmm"
+     "mmmmmmmipjnnmmmmmlllmloklmklmmmnkmnmolnmm"},
+    {{{5, 688}, {7, 21}, {11, 139}, {10, 157}, {15, 704}, {18, 1376}},
+     "mlnmmkmmmmrmokmnlnnmkmkomllknmlpnomnnimmnnmnmhlolmjmknmojlolmllmmmmmmmkmkpmmmmmmnmmmmlmmmmnom"
+     "mlmllnmlpmmllnnomknnmmlmmmmnlmlmonnllknmnmmnpmmmiolnmmmmmlhmpnmmmmmqmmmmpnmnmhplkmnjilmmmmmmm"
+     "mmmmmmmmmmmmmmjmnnmiplmlnmlnmoplmmmmmmmmmmmmmmmmmmmmmm^ocjmmmlnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mlnnmmkmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{12, 1934}, {14, 1376}, {3, 1584}, {18, 720}, {1, 832}, {12, 1424}},
+     "nlmmmjmkmmmnmmmglmqmllmmmmkpnmnmnnommmmmmmmmmmmmmmmmmmmqsqemmmmmmmmmmmmmmmmmmmmmoqlmmsmmmmqmn"
+     "lmpnojmmnmmmlmolmmlmmmnkllmmmmmmmmmmmklkmllmknkmmmmmmmmmmljomnkkknmmmmmmikmonmmmmmmmmnmmmmmml"
+     "lommmmmmmmmmmmmmmmmjnlmmmmmmmmmmmmmmmmmnmllmmmmmmmmmmmmmmmmmmmmmmmmmmjohmmmmmmmnolnmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmlphommmmmmmmmmm"},
+    {{{5, 341}, {8, 51}, {16, 896}, {21, 0}, {14, 1336}, {12, 1168}},
+     "omnllmmmmmkjnlnmmmmmolmlmmmmmmmkmkmmmmmmliqkmllmmmmgnjmlkmmmlnmnmmmmmmlnnpmmmmmmomonlmmmmmlll"
+     "nmmmmmmpnlklmmmmmnmnnmmmmmmnkmlkmmmmmkmllnmmmmmklmollmlmlkmmnmjlinklmonmemmlmnmmmmnlmkmmmmmmo"
+     "lpnmlnmmmmmllmjlomnlojommmlomqmknmlolnmllonmnnmnmmmlmmmmlnlnmpnmnmmmmnjnlmlnknmnllmnlllmmnljl"
+     "mmnlllnnlmmlpnlmmnnmmnmklnnknmmnnnlmomolm"},
+    {{{19, 768}, {15, 256}, {4, 396}, {18, 1414}, {0, 512}, {13, 800}},
+     "nnnlmmmmmmnlnknmmmmmlnmnmmmmmmknmnlmmmmmomnlmmmmmmmlnllmmmmmmlmlmmmmmmknnolmmmmmonmommmmmmlmn"
+     "llmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmlnnmmmmmmmmmmkmmmmmmmmmmmmmmmmknmmmmmmmmjmmlminmlmkonnmm"
+     "mmmmknmnminmmmnmmlnmmmnmmmlmmnpkommnlnmlmimmknmnmknjommmlnmkmnmmmmmmmomllmknjnmnmllmholqmnnko"
+     "mmmmlmkmnmmmmmmmqnmjmlmnlmlmnmmlllpmtjmmm"},
+    {{{11, 238}, {2, 1104}, {6, 74}, {7, 11}, {21, 0}, {12, 1232}},
+     "omnkmspkkmopjmmnmlmmlmnmmnpmmmmnmmmmnkmmlmnnmlmnnmmmlmmnmnmmmmmmmlmkmmmmmmmnlomnsmnkmikmnmkkp"
+     "nnmjmnntmmlmmmmmmmlmlmmkknmmmmmmmmmmmmmmmmhmjlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmomlmmm"
+     "mmmmjinnnmmmmmqonmmmmmmmmmmkmionnmnnnmmspjnmjlqloclpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpqpf"
+     "lmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{3, 800}, {0, 384}, {19, 1088}, {11, 139}, {10, 128}, {5, 397}},
+     "onmlnmnmnmqmmmmmmmmmpommnnnmnmnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllomojnnmmmlm"
+     "mmmmmmmpoolnnollmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmlmlmnmlmljolnmnmmnnm"
+     "nnomnmnlnlljnmmnlmmlomnmnlnnmkpmnmmmnmmllmommmmmmmnkmmkmmmmlmmmmmnmnlmnlmmnlmmmmmmmmljnknmlnn"
+     "njojmmplmlmmlmmmrlqkmmklmmlmmnmnklnmlqjlm"},
+    {{{0, 640}, {19, 1104}, {16, 1104}, {12, 1320}, {11, 113}, {18, 1059}},
+     "mmmmmmmlmmlmmmmnlmlmjlmmmnlmlmlnlomjommmljolmnimknnlmmmnmmnmolmnmnllmmmmmmmmmmmmplokmnnnmmnpl"
+     "kmomplmnnnlmnmmmmhnmpmeknomnnnmmlmnmmnlllmqnmmmomllmknlnmkmkomjjkomnpnlmhnnnmlmnmmomlllntloll"
+     "plnmmmmmmmlmmmkpmnmkompmlnmmmnmmnmkmmmmmmmnmnnmmmmmmmmrlmlmommmmsmllmomlnmpmmlmmmmmmmmmmmlmmm"
+     "mnmmommlmnmlmnnmrkmmmrnlmmollmmjnnompklkm"},
+    {{{5, 787}, {16, 384}, {18, 720}, {0, 384}, {15, 384}, {12, 928}},
+     "onmlmmmmmmlmlommmmmmoomkmlmmimknmnmkmmlmoomommmmmmnmlmmmmmmmlnolmkmmmmkmonmmmlmmomnnmnnmomnmk"
+     "mlnllmmmmnmmmnmnmlmlnmnmmmmnlmlnmmmlmlmlmmlnnnmmmnmmlmlmmmmmnmnlmlmmmmmmmmmmmmmmmmjklnmmmmmmm"
+     "mmmmmmmmmfjonmmmmmmmmmmmmmmmmlmjnmmmmmmmmmmmmmmmmljllmmmmmmmmmmmmmmmmprklmmmmmmmommmmmmmmnokm"
+     "mmmmmmmmmmmmmmmmmnjmmmmmmmkmmmmmmmmmpllmm"},
+    {{{12, 1934}, {0, 512}, {11, 46}, {12, 1104}, {14, 1448}, {7, 21}},
+     "mlmmmllmmmkmmnmnmmlmnlqmmjljlmmmmlmnmolmmmlmmnmlmmnmmmmmmmlmmmmnmmmmomjmmnmmnlmmiklmmlmnnmknm"
+     "omknnomrnklmsoknmmmlnmomlnmmmmmmlmmnmnmmlmnlmmmlmnmmmnmmmolmlmplllmmmmmmmmmmmmmmmmmmmmmlmmmml"
+     "lonmlpknmknnmmmmmmmmmmmmmmmmmmmmmmmmlnmmmmmmkmmnmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmmmmmnnjkmmslll"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{11, 238}, {19, 1368}, {4, 576}, {10, 76}, {21, 0}, {4, 362}},
+     "kmnkmkmlnmlnlmmommmmnlnnmmnmmmmmlmmmmmmmmmmmmollnmmmmmmllnnmmmmmmniolnmmmmmkmnmmmmmmmonjmmjmj"
+     "mmllknmmmmmmmlnmmmmmmmmlnmnmmmmmjnlommmmmmnnkmmmmmmmmmmmmmmmmmklknlnnmmmqokmmmmlmmflrlmrnnmmp"
+     "nknmmlnlmimpmnmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpqpgmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{14, 2088}, {1, 992}, {19, 1088}, {0, 512}, {13, 832}, {11, 0}},
+     "lmmnmmmlmmkmmlmmmommnnmnmmlmmmpnklmmmmmmnkokmnlommlnmmmmmlomrmmmmpkmlmnkplmqnmmmmkpnnnmmlmjmn"
+     "mmkmmlmlmnlmlmmmmkkommjomnlonnlmmnklmhokmmmmnomllmllkmmmmllnlmsonimlolmmmnmmmnlolmmnnlmjnnoml"
+     "omomkolpmmlmlminpmmmnommnmmnmjlmnmplllmolmlmrjmmmqlokmnklnmvlnrmnkjmmmmmmmjomnmmlnkmknlmmmnmm"
+     "momlmmkmmmmmlkmmjmlommmkmmollmmmmmmmolmlm"},
+    {{{18, 1537}, {15, 256}, {1, 704}, {18, 812}, {5, 506}, {3, 992}},
+     "ommnnonmpmolnmmolnmnpllmnolllmlolnmoljlmnmmmllmnlmlnmlmoomnnmmnlnmmmmmjmmkljnmmmmlkmlmlknnnmo"
+     "nmjlmmmlnmmmkoommmllkmonmlmlmmmmmmmmmlnmnmnmmlmmkllmmmmmmmmmmmmlnmmmmmmmmmmmmmmmmmmmmmmmmmmml"
+     "nmmmhsnqmhoiommmmmmmmmmmmmmmmmmmmmmnmnllmmlmlmmlmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmlnmnmlmnmmlmon"
+     "mmmmmmmmmmmmmmmmmmmmmmomomkmmnmnnlnmpmmmm"},
+    {{{12, 800}, {7, 56}, {11, 128}, {10, 128}, {6, 74}, {4, 384}},
+     "komolimmnmlmnnmgnlnlmmmmmmlolmmlmmmonmmmmmmlmmmmmmonmlmmnknlnllonmmmmmmmlomlmnmoklolnmlnmmmln"
+     "mlolnmmklnmnmlnmlnlmmmnmnmlmmnmmmmmmmommmmnmnnnolnmmllnkmmlnnnlmokpqmmnmnolmmlmmmmmmmmmlokpmm"
+     "lnmnlllnmnommmllmlmmmlmmmnlmmjlnompollmllllmknlmmmlklmmmmlmjnmnmknlnmnmlmmnmmmmlolnmqmlmnmnmm"
+     "lmnlmmplllmmolnmnmmmmnkoomljmlmllnmollmln"},
+    {{{6, 252}, {15, 256}, {4, 603}, {12, 928}, {2, 768}, {14, 1772}},
+     "nmnmmmmmmmkmmlmmmmlmmnmmmmnlmmmnmkmjmnlmmlnlmmjmkmmmmmmmmmmmnmnompkkkmmmmmmmmmmmlmmmmmnmmmlnm"
+     "nmmmmmmklmnmmlmlmomnlmnmmmmmjolnoimkmlmnnmmmmmmnkmmmkmnnmknlnkjlknmmmnmmlonmmmmmmmmmmmmjnnmmg"
+     "rkpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmllilmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmommlmnllmmonln"
+     "mmmmmmmmmmmmmmmmmmmmmonlmmlnmmmmmmmmmmmmm"},
+    {{{17, 256}, {0, 640}, {4, 480}, {11, 113}, {10, 149}, {16, 800}},
+     "mmmmmolnlmllmmmmolmlnmmmmjnlmmmlmnnllnkmnmmlmmmmmmnmmnllomnmnmmmnnlmmmnmmlnljnkmkpnlmmnmmmmmm"
+     "mmlonollnmkmjlommololmnmlnmmmmmmmolpmmmmmmknmnmmmmmmqnlnmmmmmmmmmmmklmpnmlmnmlmmmmmmmmmlnkoll"
+     "lmnmlnlmmmmmmmmmmmmmkmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmmmmmmmmmmomknmrmklmlnlmmmmmm"
+     "mmmmmmlnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{0, 384}, {5, 647}, {7, 21}, {18, 640}, {15, 384}, {11, 75}},
+     "lnonnnokmmonkmmnmmmmlmmmmnnmnmmnnnmnlmmmnmnnmonmmmmlkmlollmlolmmmmlmlnlnmmmlpmmmmmmmmmmmmmkkm"
+     "mmmmlnmmmmmmmmmmmlommmmommmmmmmmmmmmmhngmmnnnlmmmmmmmmmmmlmmmmmnmmmnmnmmlnmlmnlmlmnmmmmkmlmml"
+     "mmlmnmmmmllmmmllnlmmmmmlllmnmlmlmmlmmmmnlmlmnmmmmmmnlmoolmmkmnmmjlpomjmmomknlnmimnlmolnmmnnnl"
+     "mkmmlmomllmaogimnmolmomnmmknmnmrmlmmlmnkm"},
+    {{{0, 704}, {10, 42}, {18, 533}, {16, 960}, {13, 800}, {21, 0}},
+     "omlmnnnkmmpmlnmknknmopklnpoiknqolomlonnnlmmnmmnmmmhmlkmnmmmmklkmmpnmmmmnmnmllmnmnmmmmmnlmmono"
+     "mmlmlmmlmnmmlkmnmonllmoomimmlmmmmmmmmnmnlmkmllmmmnlmmmmmmonlnmpmolmmmmkmmmmmmmmmkmmmmmmmmmmmm"
+     "mmmmmmmmmmoojmmmmmmkmnkmmmmmmjnnlmmmmmmpknlmmmmmmmlmlmmkommlmnlmmmmmmmmmmmjlnnmlmmmmmmmmmmomo"
+     "mmmmmmnmnlmmmmmmkmmmmjmmommnmnmlnmnmqkllm"},
 };
 /* To here. */
 /* clang-format on */
