@@ -90,6 +90,14 @@ static fmb_status frame_of_body(fmb_solver *v, const fmb_body *body, hull_frame 
     return st;
 }
 
+static bool has_strict_row(const fmb_body *body)
+{
+    size_t i = 0, n = body->rows ? fmb_system_rows(body->rows) : 0;
+    while (i < n && fmb_system_rel(body->rows, i) != FMB_LT)
+        i++;
+    return i < n;
+}
+
 static void hull_frame_clear(hull_frame *room)
 {
     for (size_t i = 0; i < room->size; i++)
@@ -149,19 +157,26 @@ static fmb_status ask_when_meeting(const near_ask *ask, fmb_solver *v, const fmb
     return st;
 }
 
+/* The frame of a polytope is its closure. Where a row is strict only their relative interiors are
+ * sure to be apart, as if they were open; and all of its rows are strict with open contact, when it
+ * may be empty unlike that frame, and nothing contradicts the verdict. */
 fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frame_line *line,
                      fmb_contact contact, fmb_verdict verdict, near_found *out)
 {
     hull_frame room[2] = {{0}, {0}};
     fmb_frame_q f[2];
-    bool known = true;
+    bool known = true, may_be_empty = false;
     fmb_status st = FMB_OK;
+    for (int k = 0; k < 2; k++)
+        may_be_empty |= contact == FMB_CONTACT_OPEN && line->body[k].rows;
+    if (has_strict_row(&line->body[0]) || has_strict_row(&line->body[1]))
+        contact = FMB_CONTACT_OPEN;
     for (int k = 0; st == FMB_OK && known && k < 2; k++)
         st = frame_of_body(v, &line->body[k], &room[k], &f[k], &known);
     if (st == FMB_OK && known && verdict != FMB_UNKNOWN)
         st = verdict == FMB_FEASIBLE ? ask_when_meeting(ask, v, f, out)
                                      : ask_when_apart(ask, v, f, contact, out);
-    if (st == FMB_OK && known)
+    if (st == FMB_OK && known && !may_be_empty)
         out->contradiction = near_contradiction(ask, contact, verdict, out);
     hull_frame_clear(&room[0]);
     hull_frame_clear(&room[1]);
