@@ -58,7 +58,7 @@ static double power_of_two(long exponent)
     return exponent < -1100 ? 0 : exponent > 1023 ? INFINITY : ldexp(1, (int)exponent);
 }
 
-/* The number x 2^power; x = 0 for 0. */
+/* The number x 2^power; x = 0 for 0, whatever the power. */
 typedef struct mantissa {
     double x;
     long power;
@@ -124,7 +124,8 @@ static void scale_columns(fmb_normal_search *x, mantissa row[MOST][VECTORS])
     for (int c = 0; c < VECTORS; c++) {
         x->length[c] = power_of_two(power[c] - top + LONGEST);
         for (int j = 0; j < x->m->dim; j++)
-            x->rest[0].x[j][c] = row[j][c].x * power_of_two(row[j][c].power - power[c]);
+            x->rest[0].x[j][c] =
+                row[j][c].x == 0 ? 0 : row[j][c].x * power_of_two(row[j][c].power - power[c]);
     }
 }
 

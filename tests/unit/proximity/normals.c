@@ -117,6 +117,20 @@ Test(normals, beside_whole_numbers)
     fmb_solver_free(v);
 }
 
+/* A zero of a direction that is divided by 2^1073 stays 0. */
+Test(normals, one_coordinate_in_denormals)
+{
+    static const double origin_p[] = {-1, -3, -1}, origin_q[] = {-7, -4.5, 0x3p-1074},
+                        axes_p[] = {-2, 0, 1, -2, 0, 1, 2, -3, -2},
+                        axes_q[] = {3, 0, 0, 0, 3, 0, 0, 0, 3};
+    const fmb_frame f[2] = {{FMB_CUBOID, 3, 3, origin_p, axes_p, NULL},
+                            {FMB_CUBOID, 3, 3, origin_q, axes_q, NULL}};
+    fmb_solver *v = must_open((fmb_options){0});
+    try_pair(v, f, FMB_NORM_EUCLIDEAN, "denormals", 0);
+    try_pair(v, f, FMB_NORM_MAX, "denormals", 1);
+    fmb_solver_free(v);
+}
+
 /* ---- depth and distance ---------------------------------------------------------------------- */
 
 static fmb_verdict verdict_of(fmb_solver *v, const fmb_frame *f, bool deep)
