@@ -352,10 +352,19 @@ static fmb_status race_queries(part_run *r)
 
 /* ---- all of them ----------------------------------------------------------------------------- */
 
+/* The oracle shows infeasibility sooner than any engine does, and most engines need its answer
+ * anyway. */
+static fmb_status find_whether_feasible(part_run *r)
+{
+    fmb_status st = is_part_feasible(r->q, r->part, r->feasible);
+    r->known = st == FMB_OK;
+    return st;
+}
+
 static fmb_status take_first_steps(part_run *r, const fmb_choice *c)
 {
-    fmb_status st = FMB_OK;
-    if (c->recession && fmb_way(FMB_WAY_RECESSION)) {
+    fmb_status st = c->verdict && !r->known ? find_whether_feasible(r) : FMB_OK;
+    if (is_open(st, r) && c->recession && fmb_way(FMB_WAY_RECESSION)) {
         st = try_recession(r, c);
         fmb_way_answered(FMB_WAY_RECESSION, st == FMB_OK && is_answered(r));
     }
@@ -403,15 +412,6 @@ static fmb_status take_turns(part_run *r, const fmb_choice *c)
         if (has_switch(k))
             fmb_way_answered((fmb_way_id)ENGINE[k].way, st == FMB_OK && is_answered(r));
     }
-    return st;
-}
-
-/* The oracle shows infeasibility sooner than any engine does, and most engines need its answer
- * anyway. */
-static fmb_status find_whether_feasible(part_run *r)
-{
-    fmb_status st = is_part_feasible(r->q, r->part, r->feasible);
-    r->known = st == FMB_OK;
     return st;
 }
 

@@ -286,6 +286,10 @@ static bool tries_recession(const fmb_features *f)
     return 4 * f->entries >= 3 * f->rows * f->columns && f->bounds == 0;
 }
 
+/* The oracle takes about a tenth of a unit. So it is asked first if the best engine is expected to
+ * take this many units: without a solution, others may take very long. */
+#define UNITS_FOR_VERDICT 16
+
 /* The budget of bounded elimination is the work expected of the best engine. */
 fmb_choice fmb_selection_of(const fmb_features *f)
 {
@@ -302,6 +306,7 @@ fmb_choice fmb_selection_of(const fmb_features *f)
         c.work[k] = unit * rough_power((double)parts / PARTS);
         least = fmin(least, c.work[k]);
     }
+    c.verdict = least > UNITS_FOR_VERDICT * unit;
     c.bounded = told[FORETOLD_BOUNDED] < 0 ? 1 + (uint64_t)least : 0;
     return c;
 }

@@ -14,6 +14,7 @@
 enum { FMB_ENGINE_RAYS, FMB_ENGINE_ELIMINATION, FMB_ENGINE_QUERIES, FMB_ENGINES };
 
 typedef struct fmb_choice {
+    bool verdict;             /* ask the oracle first whether there is a solution */
     bool recession;           /* search for a recession direction first (prepare/recession.h) */
     uint64_t bounded;         /* then eliminate variables that add few rows, within this much work
                                  (trace/run.h); 0: do not */

@@ -206,6 +206,42 @@ Test(sorting, the_same_by_any_number_of_threads)
     }
 }
 
+static size_t count_open_rows(const fmb_sorting *found)
+{
+    size_t open = 0;
+    for (int i = 0; i < MANY; i++)
+        open += !found->gone[i] && !found->kept[i];
+    return open;
+}
+
+/* Right sides, or one column, times numbers that are no powers of two, up to 25 bits in all: about
+ * as many rows are decided, and what is decided is true. */
+Test(sorting, units_do_not_count)
+{
+    static const struct {
+        int column;
+        int64_t unit;
+    } table[] = {{WIDE, 1}, {WIDE, 177147}, {2, 177147}, {5, 59049}};
+    static crowd c;
+    size_t open = 0;
+    for (size_t t = 0; t < sizeof table / sizeof *table; t++) {
+        support_rng g = {7};
+        bool gone[MANY] = {0}, kept[MANY] = {0};
+        fmb_sorting found = {.gone = gone, .kept = kept};
+        draw_crowd(&c, &g, false);
+        for (int i = 0; i < MANY; i++) {
+            c.words[i][table[t].column] *= table[t].unit;
+            fmb_vec_measure(&c.v[i], WIDE + 1);
+        }
+        sort_crowd(&c, 1, &found);
+        expect_truth(&c, &found);
+        open = t == 0 ? count_open_rows(&found) : open;
+        cr_expect(found.inner, "%zu", t);
+        cr_expect_leq(count_open_rows(&found), open + MANY / 10, "%zu: %zu open for %zu", t,
+                      count_open_rows(&found), open);
+    }
+}
+
 /* In slices of so much work, or in one go (0), by several threads; how often it paused. */
 static int sort_in_slices(const crowd *c, uint64_t slice, int most, fmb_sorting *out)
 {
@@ -300,6 +336,40 @@ Test(sorting, long_rows_are_what_the_oracle_says)
         for (int k = 0; k < MANY; k++)
             fmb_vec_clear(&c.v[k], WIDE + 1, &mem);
     }
+    cr_expect_eq(mem.used, 0);
+}
+
+/* Every variable at least 0, in numbers of one digit, among long rows of which some have right
+ * sides 2^40 times as long: a point inside is seen all the same. */
+Test(sorting, short_rows_among_long_ones)
+{
+    static crowd c;
+    support_rng g = {10};
+    fmb_mem mem;
+    bool gone[MANY] = {0}, kept[MANY] = {0};
+    fmb_sorting found = {.gone = gone, .kept = kept};
+    mpz_t z[WIDE + 1];
+    fmb_mem_init(&mem, NULL, 0);
+    draw_crowd(&c, &g, false);
+    for (int j = 0; j <= WIDE; j++)
+        mpz_init(z[j]);
+    for (int i = 0; i < MANY; i++) {
+        for (int j = 0; j <= WIDE; j++) {
+            mpz_set_si(z[j], c.words[i][j]);
+            mpz_mul_2exp(z[j], z[j], j == WIDE && i % 3 == 0 ? 140 : 100);
+            mpz_add_ui(z[j], z[j], (unsigned long)support_between(&g, 0, 1000));
+        }
+        for (int j = 0; i < WIDE && j <= WIDE; j++)
+            mpz_set_si(z[j], j == i ? -1 : 0);
+        cr_assert_eq(fmb_vec_set_z(&c.v[i], WIDE + 1, z, &mem), FMB_OK);
+    }
+    sort_crowd(&c, 1, &found);
+    expect_truth(&c, &found);
+    cr_expect(found.inner);
+    for (int j = 0; j <= WIDE; j++)
+        mpz_clear(z[j]);
+    for (int k = 0; k < MANY; k++)
+        fmb_vec_clear(&c.v[k], WIDE + 1, &mem);
     cr_expect_eq(mem.used, 0);
 }
 

@@ -1,6 +1,7 @@
 /* active_set.c: see active_set.h. */
 #include "lp/redundancy/active_set/active_set.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -14,15 +15,87 @@
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
+/* The length of entry k of row i, k = n: of the right side. */
+static int bits_of_entry(const fmb_scaled_rows *s, size_t i, size_t k)
+{
+    size_t column = k == s->n ? s->width : s->leading ? s->leading->column[k] : k;
+    return (int)fmb_vec_entry_bits(s->row[i].v, column);
+}
+
+/* The mean length of the row's entries over the lengths of their columns; *named: how many there
+ * are. */
+static int mean_bits_of_row(const fmb_scaled_rows *s, size_t i, int *named)
+{
+    int sum = 0;
+    *named = 0;
+    for (size_t k = 0; k < s->d; k++) {
+        int bits = bits_of_entry(s, i, k);
+        sum += bits > 0 ? bits - s->column[k] : 0;
+        *named += bits > 0;
+    }
+    return *named > 0 ? sum / *named : 0;
+}
+
+/* Least squares of logarithms, by turns (Curtis, Reid 1972). A row with one entry says nothing
+ * about its column. */
+static void improve_columns(fmb_scaled_rows *s, int *sum, int *count)
+{
+    for (size_t k = 0; k < s->d; k++)
+        sum[k] = count[k] = 0;
+    for (size_t i = 0; i < s->m; i++) {
+        int named, mean = mean_bits_of_row(s, i, &named);
+        for (size_t k = 0; named > 1 && k < s->d; k++) {
+            int bits = bits_of_entry(s, i, k);
+            sum[k] += bits > 0 ? bits - mean : 0;
+            count[k] += bits > 0;
+        }
+    }
+    for (size_t k = 0; k < s->d; k++)
+        s->column[k] = count[k] > 0 ? sum[k] / count[k] : 0;
+}
+
 static void scale_row_to_unit(fmb_scaled_rows *s, size_t i)
 {
-    const fmb_vec *v = s->row[i].v;
-    const fmb_leading_rows *t = s->leading;
-    s->exponent[i] = t ? (int)fmb_leading_rows_bits(t, v) : v->bits;
-    for (size_t k = 0; k < s->n; k++)
-        s->at[k * s->m + i] = fmb_vec_entry_double(v, t ? t->column[k] : k, s->exponent[i]);
-    int unit = t ? (int)t->unit : 0;
-    s->at[s->n * s->m + i] = fmb_vec_entry_double(v, s->width, s->exponent[i] + unit);
+    s->exponent[i] = INT_MIN;
+    for (size_t k = 0; k < s->d; k++) {
+        int bits = bits_of_entry(s, i, k);
+        if (bits > 0 && bits - s->column[k] > s->exponent[i])
+            s->exponent[i] = bits - s->column[k];
+    }
+    if (s->exponent[i] == INT_MIN)
+        s->exponent[i] = 0;
+    for (size_t k = 0; k < s->d; k++) {
+        size_t column = k == s->n ? s->width : s->leading ? s->leading->column[k] : k;
+        s->at[k * s->m + i] =
+            fmb_vec_entry_double(s->row[i].v, column, s->exponent[i] + s->column[k]);
+    }
+}
+
+/* Doubles tell numbers apart that differ by so many bits, far above their rounding errors. */
+#define NEAR_BITS 12
+
+static bool are_all_bits_near(const fmb_scaled_rows *s)
+{
+    for (size_t i = 0; i < s->m; i++)
+        if (fmb_vec_is_wide(s->row[i].v) || s->row[i].v->bits > NEAR_BITS)
+            return false;
+    return true;
+}
+
+static void choose_columns_scales(fmb_scaled_rows *s)
+{
+    for (int k = 0; k < 2 && !are_all_bits_near(s); k++)
+        improve_columns(s, s->scratch, s->scratch + s->d);
+    int unit = s->leading ? s->leading->unit : 0;
+    for (size_t j = 0; j < s->n; j++)
+        s->coordinate[j] = ldexp(1, s->column[s->n] - s->column[j] - unit);
+}
+
+static fmb_status hold_scaled_rows(fmb_scaled_rows *s, fmb_mem *mem, bool get)
+{
+    return FMB_ARRAYS_IN_BLOCK(mem, get, FMB_ARRAY(s->at, s->d * s->m),
+                               FMB_ARRAY(s->coordinate, s->n), FMB_ARRAY(s->exponent, s->m),
+                               FMB_ARRAY_ZERO(s->column, s->d), FMB_ARRAY(s->scratch, 2 * s->d));
 }
 
 fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
@@ -31,10 +104,8 @@ fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size
     *s = (fmb_scaled_rows){
         .n = leading ? leading->n : n, .m = m, .row = row, .leading = leading, .width = n};
     s->d = s->n + 1;
-    s->at = fmb_mem_get(mem, s->d * m, sizeof *s->at);
-    s->exponent = fmb_mem_get(mem, m, sizeof *s->exponent);
-    if (!s->at || !s->exponent)
-        return fmb_mem_status(mem);
+    FMB_TRY(hold_scaled_rows(s, mem, true));
+    choose_columns_scales(s);
     for (size_t i = 0; i < m; i++)
         scale_row_to_unit(s, i);
     fmb_program_init(&s->sparse, mem, (int)n);
@@ -45,8 +116,7 @@ fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size
 
 void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem)
 {
-    fmb_mem_put(mem, s->at, s->d * s->m, sizeof *s->at);
-    fmb_mem_put(mem, s->exponent, s->m, sizeof *s->exponent);
+    (void)hold_scaled_rows(s, mem, false);
     if (s->sparse.mem)
         fmb_program_clear(&s->sparse);
 }
@@ -152,7 +222,8 @@ static fmb_status combine_rows_of_basis(fmb_active_set *s, size_t i, bool *prove
     *proved = false;
     if (s->supports > s->of->n)
         return FMB_OK;
-    const size_t size = s->supports, limbs = (size_t)s->of->exponent[i] / 64 + 1;
+    const size_t size = s->supports,
+                 limbs = fmb_vec_most_bits(s->of->row[i].v, s->of->width + 1) / 64 + 1;
     fmb_run_count(s->run, 3000 + size * size * (2 * size + 50 + limbs));
     FMB_TRY(fmb_refined_implication(s->run, &s->of->sparse, i, size, s->support, &refined));
     *proved = refined == FMB_REFINED_TRUE;
@@ -221,7 +292,7 @@ fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to)
 {
     for (size_t i = from; i < to; i++) {
         for (size_t j = 0; j < s->of->n; j++)
-            s->way[j] = s->of->at[j * s->of->m + i];
+            s->way[j] = s->of->at[j * s->of->m + i] * s->of->coordinate[j];
         (void)keep_row_hit(s);
         FMB_TRY(fmb_run_poll(s->run));
     }
@@ -237,7 +308,7 @@ static size_t shoot_beyond_normal(fmb_active_set *s)
     if (!s->seen)
         return SIZE_MAX;
     for (size_t j = 0; j < s->of->n; j++) /* at the scale of the point, 1 / depth */
-        s->way[j] = -normal[j] - depth * s->seen->x[j];
+        s->way[j] = -normal[j] * s->of->coordinate[j] - depth * s->seen->x[j];
     return keep_row_hit(s);
 }
 

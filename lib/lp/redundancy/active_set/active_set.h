@@ -27,8 +27,11 @@ typedef struct fmb_scaled_rows {
                                         right sides. NULL: all rows are small (num/vec.h) */
     size_t width;                    /* of the rows as they are */
     double *at;                      /* [d][m] rows, scaled */
-    int *exponent;                   /* [m] row = 2^exponent times what is in at */
-    fmb_program sparse;              /* long rows */
+    int *exponent;      /* [m] entry k of a row = 2^(exponent + column[k]) times what */
+    int *column;        /* [d] is in at */
+    double *coordinate; /* [n] coordinates of points are these times those of the scaled rows */
+    int *scratch;       /* [2 d] */
+    fmb_program sparse; /* long rows */
 } fmb_scaled_rows;
 
 /* m rows of n columns, of which leading, if there, says which are named. Errors: MEMORY, LIMIT. In

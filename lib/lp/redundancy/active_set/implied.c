@@ -397,7 +397,7 @@ static fmb_status prepare_long_rows(sorting *s, size_t n, size_t m, const fmb_lp
 {
     fmb_leading_rows *t = &s->leading;
     FMB_TRY(fmb_leading_rows_open(t, s->run->mem, n, m));
-    fmb_leading_rows_measure(t, n, m, row);
+    FMB_TRY(fmb_leading_rows_measure(t, n, m, row));
     if (t->n > MOST_SORTED_COLUMNS)
         return FMB_OK;
     FMB_TRY(scale_rows(s, n, m, row));

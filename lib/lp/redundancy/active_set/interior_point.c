@@ -2,7 +2,9 @@
  *
  * The point is found by reflections: as long as a row is broken (or nearly), go to the mirror image
  * behind the one broken worst. If the polyhedron has inner points, that ends (Motzkin and
- * Schoenberg 1954). It is then rounded to multiples of 1 / UNIT, and checked in integers.
+ * Schoenberg 1954). It is then rounded to so many bits, and checked in integers. How far a row is
+ * moved inwards for the search follows from the distances of rows from 0, so that a system in other
+ * units finds the same point.
  *
  * A ray from there leaves the polyhedron through some row. If it meets that row alone first, then
  * behind it lies a point that breaks this row and no other: the row is irredundant. Directions are
@@ -18,7 +20,9 @@
 /* Sizes [bits], so that the slack (ROW + POINT + 6), the speed towards a row (ROW + WAY + 6), and a
  * product of both fit in 62, 53 and 127 bits: doubles add up speeds without rounding. */
 enum { ROW_BITS = 29, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
-#define UNIT 4096
+/* Coordinates are multiples of 2^-grid. Below the least grid, or with right sides times 2^grid
+ * above the most, slacks would be longer. */
+enum { LEAST_GRID = -3, MOST_GRID = POINT_BITS + 6 };
 
 static void find_excess_of_rows(fmb_interior_point *p)
 {
@@ -68,24 +72,37 @@ static fmb_status reflect_until_inside(fmb_interior_point *p, size_t steps, doub
     return FMB_OK;
 }
 
+/* The finest grid on which the coordinates have POINT_BITS bits; below LEAST_GRID: there is none.
+ */
+static int find_grid(const fmb_interior_point *p)
+{
+    double most = 0;
+    int exponent;
+    for (size_t j = 0; j < p->n; j++)
+        most = fmax(most, fabs(p->x[j]));
+    if (!isfinite(most))
+        return LEAST_GRID - 1;
+    (void)frexp(most * (1 + 0x1p-20), &exponent);
+    return POINT_BITS - exponent < MOST_GRID ? POINT_BITS - exponent : MOST_GRID;
+}
+
 /* Round the point and compute the slacks; false if it is not strictly inside. */
 static bool round_point_inside(fmb_interior_point *p)
 {
-    for (size_t j = 0; j < p->n; j++) {
-        p->x[j] = nearbyint(p->x[j] * UNIT);
-        if (!(fabs(p->x[j]) < (1 << POINT_BITS)))
-            return false;
-    }
+    int grid = find_grid(p);
+    if (grid < LEAST_GRID)
+        return false;
+    p->grid = grid > 0 ? grid : 0;
+    for (size_t j = 0; j < p->n; j++)
+        p->x[j] = ldexp(nearbyint(ldexp(p->x[j], grid)), -grid);
     for (size_t i = 0; i < p->m; i++) {
         const int64_t *a = p->row[i].v->s;
-        p->slack[i] = a[p->n] * UNIT;
+        p->slack[i] = a[p->n] * ((int64_t)1 << p->grid);
         for (size_t j = 0; j < p->n; j++)
-            p->slack[i] -= a[j] * (int64_t)p->x[j];
+            p->slack[i] -= a[j] * (int64_t)ldexp(p->x[j], p->grid);
         if (p->slack[i] <= 0)
             return false;
     }
-    for (size_t j = 0; j < p->n; j++)
-        p->x[j] /= UNIT;
     return true;
 }
 
@@ -96,6 +113,11 @@ static bool do_products_fit(size_t n, size_t m, const fmb_lp_row *row)
             return false;
     return n <= MOST_COLUMNS;
 }
+
+/* The first margin of a search, in units of the distances of rows from 0, and how many times
+ * smaller the next one is. */
+#define FIRST_MARGIN 0x1p-4
+#define NEXT_MARGIN  16
 
 static void write_unit_row(fmb_interior_point *p, size_t i)
 {
@@ -118,11 +140,27 @@ static fmb_status hold_arrays_of_point(fmb_interior_point *p, bool get)
                                FMB_ARRAY(p->entry, p->n * p->m), FMB_ARRAY(p->excess, p->m));
 }
 
+/* The mean exponent of the distances of 0 from rows that do not contain it. */
+static int exponent_of_distances(const fmb_interior_point *p)
+{
+    const double *right = &p->unit[p->n * p->m];
+    int sum = 0, rows = 0, exponent;
+    for (size_t i = 0; i < p->m; i++) {
+        if (right[i] == 0 || !isfinite(right[i]))
+            continue;
+        (void)frexp(right[i], &exponent);
+        sum += exponent;
+        rows++;
+    }
+    return rows > 0 ? sum / rows : 0;
+}
+
 static fmb_status open_inside_point(fmb_interior_point *p)
 {
     FMB_TRY(hold_arrays_of_point(p, true));
     for (size_t i = 0; i < p->m; i++)
         write_unit_row(p, i);
+    p->margin = ldexp(FIRST_MARGIN, exponent_of_distances(p));
     return FMB_OK;
 }
 
@@ -145,11 +183,10 @@ static fmb_status try_slack(fmb_interior_point *p, size_t steps, double margin, 
  * tell more rows apart. */
 fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found)
 {
-    FMB_TRY(try_slack(p, 8 + 2 * p->n, 0.25, found));
-    return !*found ? try_slack(p, 8 + 2 * p->n, 1.0 / 64, found) : FMB_OK;
+    FMB_TRY(try_slack(p, 8 + 2 * p->n, p->margin, found));
+    return !*found ? try_slack(p, 8 + 2 * p->n, p->margin / NEXT_MARGIN, found) : FMB_OK;
 }
 
-/* Margins: 1/4 and each a sixteenth of the one before. */
 enum { MARGINS = 3 };
 
 static size_t steps_of_search(const fmb_interior_point *p)
@@ -159,9 +196,9 @@ static size_t steps_of_search(const fmb_interior_point *p)
 
 fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found)
 {
-    double margin = 0.25;
+    double margin = p->margin;
     *found = false;
-    for (int k = 0; !*found && k < MARGINS; k++, margin /= 16)
+    for (int k = 0; !*found && k < MARGINS; k++, margin /= NEXT_MARGIN)
         FMB_TRY(try_slack(p, steps_of_search(p), margin, found));
     return FMB_OK;
 }
@@ -173,15 +210,15 @@ double fmb_interior_point_most_work(const fmb_interior_point *p)
     return MARGINS * (double)steps_of_search(p) * (entries / 4 + (double)p->m + (double)p->n);
 }
 
-/* The slack of row a + d is the one of a, less UNIT d.x, where |d.x| < |x_1| + ... unless x is 0;
- * and less UNIT and less where the right side differs, too. The coordinates are multiples of
- * 1 / UNIT: there is no rounding. */
+/* The slack of row a + d is the one of a, less 2^grid d.x, where |d.x| < |x_1| + ... unless x is 0;
+ * and less 2^grid and less where the right side differs, too. The coordinates are multiples of
+ * 2^-grid: there is no rounding. */
 static int64_t slack_between_near_rows(const fmb_interior_point *p)
 {
     double size = p->near_right ? 1 : 0;
     for (size_t j = 0; j < p->n; j++)
         size += fabs(p->x[j]);
-    return (int64_t)(UNIT * size);
+    return (int64_t)ldexp(size, p->grid);
 }
 
 bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p)

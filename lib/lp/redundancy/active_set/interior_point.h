@@ -10,10 +10,12 @@ typedef struct fmb_interior_point {
     size_t n, m;
     const fmb_lp_row *row;
     double *x;       /* [n] the point, exactly */
-    int64_t *slack;  /* [m] UNIT (b - a.x) > 0 */
+    int grid;        /* its coordinates are multiples of 2^-grid */
+    int64_t *slack;  /* [m] 2^grid (b - a.x) > 0 */
     double *unit;    /* [n + 1][m] column by column, rows by their lengths |a|; the last is -b */
     double *entry;   /* [n][m] column by column, as they are */
     double *excess;  /* [m] scratch: how far x is beyond each row */
+    double margin;   /* by which a search moves rows inwards first */
     bool near;       /* rows near those are meant: coefficients differ by less than 1 each, */
     bool near_right; /* and right sides do so, too; else they are the same */
 } fmb_interior_point;

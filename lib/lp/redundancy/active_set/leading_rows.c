@@ -1,9 +1,12 @@
 /* leading_rows.c: see leading_rows.h. */
 #include "lp/redundancy/active_set/leading_rows.h"
 
+#include <limits.h>
+#include <stdlib.h>
+
 #include "base/arrays.h"
 
-/* Entries of more bits are shortened to so many. */
+/* The longest entry of each row is made so many bits long. */
 #define LEADING_BITS 28
 
 static fmb_status hold_leading_rows(fmb_leading_rows *t, bool get)
@@ -28,45 +31,69 @@ void fmb_leading_rows_close(fmb_leading_rows *t)
     (void)hold_leading_rows(t, false);
 }
 
-static size_t most_bits_of_column(size_t j, size_t m, const fmb_lp_row *row)
+static bool is_column_named(size_t j, size_t m, const fmb_lp_row *row)
 {
-    size_t most = 0;
+    for (size_t i = 0; i < m; i++)
+        if (fmb_vec_entry_bits(row[i].v, j) > 0)
+            return true;
+    return false;
+}
+
+static int compare_ints(const void *a, const void *b)
+{
+    int x = *(const int *)a, y = *(const int *)b;
+    return (x > y) - (x < y);
+}
+
+/* By how many bits right sides are longer than coefficients, the median of the rows with both. */
+static int median_bits_of_right_sides(size_t n, size_t m, const fmb_lp_row *row, int *more)
+{
+    size_t rows = 0;
     for (size_t i = 0; i < m; i++) {
-        size_t bits = fmb_vec_entry_bits(row[i].v, j);
-        most = bits > most ? bits : most;
+        size_t left = fmb_vec_most_bits(row[i].v, n), right = fmb_vec_entry_bits(row[i].v, n);
+        if (left > 0 && right > 0)
+            more[rows++] = (int)right - (int)left;
     }
-    return most;
+    qsort(more, rows, sizeof *more, compare_ints);
+    return rows > 0 ? more[rows / 2] : 0;
 }
 
-void fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row)
+fmb_status fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row)
 {
-    size_t left = 0, right = most_bits_of_column(n, m, row);
-    for (size_t j = 0; j < n; j++) {
-        size_t bits = most_bits_of_column(j, m, row);
-        left = bits > left ? bits : left;
-        if (bits > 0)
+    int *more;
+    FMB_TRY(FMB_GET(t->mem, more, m));
+    for (size_t j = 0; j < n; j++)
+        if (is_column_named(j, m, row))
             t->column[t->n++] = j;
-    }
     t->right = n;
-    t->unit = right > left ? right - left : 0;
+    t->unit = median_bits_of_right_sides(n, m, row, more);
+    fmb_mem_put(t->mem, more, m, sizeof *more);
+    return FMB_OK;
 }
 
-/* a / 2^down, rounded towards 0. */
-static int64_t leading_bits(const fmb_vec *a, size_t j, size_t down, mpz_t scratch)
+/* a / 2^down, rounded towards 0; less than 2^62. */
+static int64_t leading_bits(const fmb_vec *a, size_t j, int down, mpz_t scratch)
 {
-    if (!fmb_vec_is_wide(a))
-        return down < 63 ? a->s[j] / ((int64_t)1 << down) : 0;
-    mpz_tdiv_q_2exp(scratch, a->z[j], down);
+    if (!fmb_vec_is_wide(a) && down > -62)
+        return down >= 62 ? 0
+               : down > 0 ? a->s[j] / ((int64_t)1 << down)
+                          : a->s[j] * ((int64_t)1 << -down);
+    fmb_vec_get(a, j, scratch);
+    if (down > 0)
+        mpz_tdiv_q_2exp(scratch, scratch, (mp_bitcnt_t)down);
+    else
+        mpz_mul_2exp(scratch, scratch, (mp_bitcnt_t)-down);
     return mpz_get_si(scratch);
 }
 
-size_t fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a)
+int fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a)
 {
-    size_t right = t->right < SIZE_MAX ? fmb_vec_entry_bits(a, t->right) : 0;
-    size_t bits = right > t->unit ? right - t->unit : 0;
+    int bits = INT_MIN;
+    if (t->right < SIZE_MAX && fmb_vec_entry_bits(a, t->right) > 0)
+        bits = (int)fmb_vec_entry_bits(a, t->right) - t->unit;
     for (size_t k = 0; k < t->n; k++) {
-        size_t mine = fmb_vec_entry_bits(a, t->column[k]);
-        bits = mine > bits ? mine : bits;
+        int mine = (int)fmb_vec_entry_bits(a, t->column[k]);
+        bits = mine > 0 && mine > bits ? mine : bits;
     }
     return bits;
 }
@@ -74,13 +101,13 @@ size_t fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a)
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch)
 {
     int64_t *value = &t->entry[t->m * (t->n + 1)];
-    size_t bits = fmb_leading_rows_bits(t, a), down = bits > LEADING_BITS ? bits - LEADING_BITS : 0;
+    int bits = fmb_leading_rows_bits(t, a), down = bits > INT_MIN ? bits - LEADING_BITS : 0;
     for (size_t k = 0; k < t->n; k++)
         value[k] = leading_bits(a, t->column[k], down, scratch);
     value[t->n] = t->right < SIZE_MAX ? leading_bits(a, t->right, down + t->unit, scratch) : 0;
-    t->v[t->m] = (fmb_vec){.s = value, .bits = (int)(bits - down)};
+    t->v[t->m] = (fmb_vec){.s = value, .bits = LEADING_BITS};
     t->row[t->m] = (fmb_lp_row){&t->v[t->m], FMB_LE};
-    t->rough |= down + t->unit > 0;
+    t->rough |= down > 0 || down + t->unit > 0;
     t->m++;
 }
 

@@ -3,8 +3,9 @@
  *
  * Divide row a.x <= b by a power of two, and round towards 0 to a'.x <= b': no number changes by 1
  * or more. So where b' - a'.x >= 1 + |x_1| + |x_2| + ..., a.x < b is proved; without the 1 where b
- * is 0. Right sides, and with them points, are measured in a power of two of their own: where they
- * are longer than coefficients, so that points have coordinates of usual size.
+ * is 0. Rows of short numbers are multiplied, so that this asks little of them, too. Right sides,
+ * and with them points, are measured in a power of two of their own, so that in most rows they are
+ * as long as coefficients, and points have coordinates of about 1.
  */
 #ifndef FMB_LP_LEADING_ROWS_H
 #define FMB_LP_LEADING_ROWS_H
@@ -17,7 +18,7 @@ typedef struct fmb_leading_rows {
     size_t most_columns, most_rows; /* room */
     size_t *column;                 /* [n] of the rows that are added */
     size_t right;              /* the same of right sides, or SIZE_MAX: they are taken for 0; */
-    size_t unit;               /* they are divided by 2^unit */
+    int unit;                  /* they are divided by 2^unit */
     fmb_lp_row *row;           /* [m] */
     fmb_vec *v;                /* [m] */
     int64_t *entry;            /* [m][n + 1] */
@@ -30,10 +31,12 @@ typedef struct fmb_leading_rows {
 fmb_status fmb_leading_rows_open(fmb_leading_rows *t, fmb_mem *mem, size_t most_columns,
                                  size_t most_rows);
 void fmb_leading_rows_close(fmb_leading_rows *t);
-/* Fill them in for m rows of n columns and a right side: the columns that some of them names. */
-void fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row);
-/* Of a row's coefficients, and of its right side in the unit, the longest has so many bits. */
-size_t fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a);
+/* Fill them in for m rows of n columns and a right side: the columns that some of them names.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row);
+/* Of a row's coefficients, and of its right side in the unit, the longest has so many bits; INT_MIN
+ * if all are 0. */
+int fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a);
 /* a.x <= b or a.x < b. */
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch);
 /* Is there a point strictly inside? A glance is taken, and a search if that takes no more work
