@@ -18,7 +18,7 @@
 /* The length of entry k of row i, k = n: of the right side. */
 static int bits_of_entry(const fmb_scaled_rows *s, size_t i, size_t k)
 {
-    size_t column = k == s->n ? s->width : s->leading ? s->leading->column[k] : k;
+    size_t column = k == s->n ? s->width : s->leading->column[k];
     return (int)fmb_vec_entry_bits(s->row[i].v, column);
 }
 
@@ -65,7 +65,7 @@ static void scale_row_to_unit(fmb_scaled_rows *s, size_t i)
     if (s->exponent[i] == INT_MIN)
         s->exponent[i] = 0;
     for (size_t k = 0; k < s->d; k++) {
-        size_t column = k == s->n ? s->width : s->leading ? s->leading->column[k] : k;
+        size_t column = k == s->n ? s->width : s->leading->column[k];
         s->at[k * s->m + i] =
             fmb_vec_entry_double(s->row[i].v, column, s->exponent[i] + s->column[k]);
     }
@@ -86,9 +86,8 @@ static void choose_columns_scales(fmb_scaled_rows *s)
 {
     for (int k = 0; k < 2 && !are_all_bits_near(s); k++)
         improve_columns(s, s->scratch, s->scratch + s->d);
-    int unit = s->leading ? s->leading->unit : 0;
     for (size_t j = 0; j < s->n; j++)
-        s->coordinate[j] = ldexp(1, s->column[s->n] - s->column[j] - unit);
+        s->coordinate[j] = ldexp(1, s->column[s->n] - s->column[j] - s->leading->unit);
 }
 
 static fmb_status hold_scaled_rows(fmb_scaled_rows *s, fmb_mem *mem, bool get)
@@ -99,17 +98,17 @@ static fmb_status hold_scaled_rows(fmb_scaled_rows *s, fmb_mem *mem, bool get)
 }
 
 fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
-                                const fmb_lp_row *row, const fmb_leading_rows *leading)
+                                const fmb_lp_row *row, bool small, const fmb_leading_rows *leading)
 {
     *s = (fmb_scaled_rows){
-        .n = leading ? leading->n : n, .m = m, .row = row, .leading = leading, .width = n};
+        .n = leading->n, .m = m, .row = row, .small = small, .leading = leading, .width = n};
     s->d = s->n + 1;
     FMB_TRY(hold_scaled_rows(s, mem, true));
     choose_columns_scales(s);
     for (size_t i = 0; i < m; i++)
         scale_row_to_unit(s, i);
     fmb_program_init(&s->sparse, mem, (int)n);
-    for (size_t i = 0; leading && i < m; i++)
+    for (size_t i = 0; !small && i < m; i++)
         FMB_TRY(fmb_program_add_dense(&s->sparse, row[i].v, row[i].rel));
     return FMB_OK;
 }
@@ -143,8 +142,8 @@ fmb_status fmb_active_set_init(fmb_active_set *s, fmb_run *run, const fmb_scaled
     FMB_TRY(hold_arrays_of_search(s, true));
     for (size_t i = 0; i < of->m; i++)
         s->number[i] = SIZE_MAX;
-    return of->leading ? fmb_combination_init(&s->combination, run->mem, of->width, of->row)
-                       : fmb_rounded_proof_init(&s->proof, run->mem, of->d);
+    return of->small ? fmb_rounded_proof_init(&s->proof, run->mem, of->d)
+                     : fmb_combination_init(&s->combination, run->mem, of->width, of->row);
 }
 
 void fmb_active_set_clear(fmb_active_set *s)
@@ -239,8 +238,8 @@ static fmb_status combine_rows_of_basis(fmb_active_set *s, size_t i, bool *prove
 
 static fmb_status note_proof_of_row(fmb_active_set *s, size_t i)
 {
-    size_t size = s->of->leading ? s->supports : s->proof.size;
-    const size_t *index = s->of->leading ? s->support : s->proof.index;
+    size_t size = s->of->small ? s->proof.size : s->supports;
+    const size_t *index = s->of->small ? s->proof.index : s->support;
     FMB_TRY(FMB_RESERVE(s->run->mem, &s->proved, &s->proved_room, s->told + 2 + size));
     s->proved[s->told++] = i;
     s->proved[s->told++] = size;
@@ -263,7 +262,7 @@ static fmb_status drop_row_if_proved(fmb_active_set *s, size_t i)
 {
     bool proved = false;
     fmb_run_count(s->run, 200 + 4 * s->of->d * s->of->d);
-    if (s->of->leading)
+    if (!s->of->small)
         FMB_TRY(combine_rows_of_basis(s, i, &proved));
     else
         proved = round_multipliers_of_basis(s, i) &&

@@ -23,8 +23,8 @@
 typedef struct fmb_scaled_rows {
     size_t n, m, d; /* columns, rows, columns with the right side */
     const fmb_lp_row *row;
-    const fmb_leading_rows *leading; /* of long rows: they name its columns, and have its unit of
-                                        right sides. NULL: all rows are small (num/vec.h) */
+    bool small;                      /* all rows are (num/vec.h) */
+    const fmb_leading_rows *leading; /* names the columns, and has the unit of points inside */
     size_t width;                    /* of the rows as they are */
     double *at;                      /* [d][m] rows, scaled */
     int *exponent;      /* [m] entry k of a row = 2^(exponent + column[k]) times what */
@@ -34,10 +34,10 @@ typedef struct fmb_scaled_rows {
     fmb_program sparse; /* long rows */
 } fmb_scaled_rows;
 
-/* m rows of n columns, of which leading, if there, says which are named. Errors: MEMORY, LIMIT. In
+/* m rows of n columns, of which leading says which are named. Errors: MEMORY, LIMIT. In
  * any case fmb_scaled_rows_clear it. */
 fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
-                                const fmb_lp_row *row, const fmb_leading_rows *leading);
+                                const fmb_lp_row *row, bool small, const fmb_leading_rows *leading);
 void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem);
 
 typedef struct fmb_active_set {

@@ -116,11 +116,10 @@ static fmb_status open_nonzero_columns(nonzero_columns *t, fmb_mem *mem, size_t 
 
 typedef struct fmb_paused_sorting {
     fmb_run *run;
-    nonzero_columns reduced;  /* of small rows */
-    fmb_leading_rows leading; /* of others */
+    nonzero_columns reduced; /* of small rows */
+    fmb_leading_rows leading;
     fmb_scaled_rows rows;
-    fmb_interior_point inside; /* of small rows */
-    bool roomy;                /* some point is strictly inside, wherever it is */
+    bool roomy; /* some point is strictly inside, wherever it is */
     size_t searches;
     size_t *open; /* [opens] rows that rays did not settle */
     size_t opens;
@@ -182,16 +181,28 @@ static fmb_status ask_oracle_if_feasible(sorting *s)
     return st;
 }
 
+/* Write the leading bits of all rows; false if there are equalities, and so no point inside. */
+static bool write_leading_rows(sorting *s)
+{
+    bool equal = false;
+    mpz_t scratch;
+    mpz_init(scratch);
+    for (size_t i = 0; i < s->rows.m && !equal; i++) {
+        fmb_leading_rows_add(&s->leading, s->rows.row[i].v, scratch);
+        equal = s->rows.row[i].rel == FMB_EQ;
+    }
+    mpz_clear(scratch);
+    return !equal;
+}
+
 /* Where no point is strictly inside, the search for one goes on to its end: so a glance comes
  * first, and then an elimination on the stack, which tells that of few rows. Unless a solution is
  * known, the oracle is the last, which so is not asked about most systems that have one. */
 static fmb_status look_for_inner_point(sorting *s)
 {
-    bool possible, known = s->out->known, *inner = &s->out->inner;
-    FMB_TRY(
-        fmb_interior_point_open(&s->inside, s->run, s->rows.n, s->rows.m, s->rows.row, &possible));
+    bool possible = write_leading_rows(s), known = s->out->known, *inner = &s->out->inner;
     if (possible && (!known || s->out->wants_tight))
-        FMB_TRY(fmb_interior_point_find_quickly(&s->inside, inner));
+        FMB_TRY(fmb_leading_rows_find_inside(&s->leading, s->run, 0, inner));
     if (s->out->wants_tight && !*inner) {
         s->roomy =
             fmb_tiny_find_tight(s->rows.n, s->rows.m, s->reduced.v, &s->out->tight) == FMB_FEASIBLE;
@@ -201,23 +212,17 @@ static fmb_status look_for_inner_point(sorting *s)
     if (!known && !*inner && !s->roomy)
         FMB_TRY(ask_oracle_if_feasible(s));
     if (possible && !*inner && s->out->feasible)
-        FMB_TRY(fmb_interior_point_find(&s->inside, inner));
+        FMB_TRY(fmb_leading_rows_find_inside(&s->leading, s->run, INFINITY, inner));
     return FMB_OK;
 }
 
-/* The same of long rows, by their leading bits. Without a solution that is known the oracle would
- * be asked, which looks at such rows itself. */
+/* The same of long rows. Without a solution that is known the oracle would be asked, which looks at
+ * such rows itself. */
 static fmb_status look_inside_long_rows(sorting *s)
 {
-    mpz_t scratch;
-    for (size_t i = 0; i < s->rows.m; i++)
-        if (s->rows.row[i].rel == FMB_EQ)
-            return FMB_OK;
-    mpz_init(scratch);
-    for (size_t i = 0; i < s->rows.m; i++)
-        fmb_leading_rows_add(&s->leading, s->rows.row[i].v, scratch);
-    mpz_clear(scratch);
-    return fmb_leading_rows_find_inside(&s->leading, s->run, INFINITY, &s->out->inner);
+    return write_leading_rows(s)
+               ? fmb_leading_rows_find_inside(&s->leading, s->run, INFINITY, &s->out->inner)
+               : FMB_OK;
 }
 
 /* ---- by searches ----------------------------------------------------------------------------- */
@@ -227,7 +232,7 @@ static fmb_status shoot_for_search(void *self, size_t k, fmb_run *run)
     sorting *s = self;
     size_t shots = s->rows.m < MOST_SHOTS ? s->rows.m : MOST_SHOTS, of = s->searches;
     fmb_active_set *search = &s->search[k];
-    const fmb_interior_point *inside = s->rows.leading ? &s->leading.inside : &s->inside;
+    const fmb_interior_point *inside = &s->leading.inside;
     FMB_TRY(fmb_active_set_init(search, run, &s->rows, s->out->inner ? inside : NULL));
     return s->out->inner ? fmb_active_set_shoot(search, shots * k / of, shots * (k + 1) / of)
                          : FMB_OK;
@@ -336,7 +341,7 @@ static fmb_status go_on_with_searches(sorting *s, bool *paused)
         *paused |= s->search[k].paused;
     for (size_t k = 0; st == FMB_OK && !*paused && k < s->searches; k++)
         hear_search(s, &s->search[k]);
-    if (s->rows.leading && !*paused)
+    if (!s->rows.small && !*paused)
         count_doubtful_long_rows(s);
     return st;
 }
@@ -350,8 +355,6 @@ static void close_sorting(sorting *s)
         fmb_active_set_clear(&s->search[k]);
     if (s->team.run)
         fmb_team_close(&s->team);
-    if (s->inside.run)
-        fmb_interior_point_clear(&s->inside);
     if (s->leading.mem)
         fmb_leading_rows_close(&s->leading);
     fmb_mem_put(mem, s->open, s->rows.m, sizeof *s->open);
@@ -362,11 +365,16 @@ static void close_sorting(sorting *s)
     fmb_mem_put(mem, s, 1, sizeof *s);
 }
 
-static fmb_status scale_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row)
+static fmb_status open_leading_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row)
+{
+    FMB_TRY(fmb_leading_rows_open(&s->leading, s->run->mem, n, m));
+    return fmb_leading_rows_measure(&s->leading, n, m, row);
+}
+
+static fmb_status scale_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row, bool small)
 {
     fmb_mem *mem = s->run->mem;
-    fmb_status st =
-        fmb_scaled_rows_init(&s->rows, mem, n, m, row, s->leading.mem ? &s->leading : NULL);
+    fmb_status st = fmb_scaled_rows_init(&s->rows, mem, n, m, row, small, &s->leading);
     s->open = fmb_mem_get(mem, m, sizeof *s->open);
     s->used = fmb_mem_zero(mem, m, sizeof *s->used);
     return st != FMB_OK || (s->open && s->used) ? st : fmb_mem_status(mem);
@@ -386,7 +394,8 @@ static fmb_status prepare_small_rows(sorting *s, size_t n, size_t m, const fmb_l
     out->doubtful = narrow || told ? 0 : m;
     if (!narrow)
         return FMB_OK;
-    FMB_TRY(scale_rows(s, t->n, m, t->row));
+    FMB_TRY(open_leading_rows(s, t->n, m, t->row));
+    FMB_TRY(scale_rows(s, t->n, m, t->row, true));
     FMB_TRY(look_for_inner_point(s));
     *open = out->feasible && out->tight == 0;
     return FMB_OK;
@@ -395,12 +404,10 @@ static fmb_status prepare_small_rows(sorting *s, size_t n, size_t m, const fmb_l
 static fmb_status prepare_long_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row,
                                     bool *open)
 {
-    fmb_leading_rows *t = &s->leading;
-    FMB_TRY(fmb_leading_rows_open(t, s->run->mem, n, m));
-    FMB_TRY(fmb_leading_rows_measure(t, n, m, row));
-    if (t->n > MOST_SORTED_COLUMNS)
+    FMB_TRY(open_leading_rows(s, n, m, row));
+    if (s->leading.n > MOST_SORTED_COLUMNS)
         return FMB_OK;
-    FMB_TRY(scale_rows(s, n, m, row));
+    FMB_TRY(scale_rows(s, n, m, row, false));
     FMB_TRY(look_inside_long_rows(s));
     *open = s->out->known || s->out->inner;
     s->out->doubtful = *open ? 0 : m;

@@ -2,9 +2,7 @@
  *
  * The point is found by reflections: as long as a row is broken (or nearly), go to the mirror image
  * behind the one broken worst. If the polyhedron has inner points, that ends (Motzkin and
- * Schoenberg 1954). It is then rounded to so many bits, and checked in integers. How far a row is
- * moved inwards for the search follows from the distances of rows from 0, so that a system in other
- * units finds the same point.
+ * Schoenberg 1954). It is then rounded to so many bits, and checked in integers.
  *
  * A ray from there leaves the polyhedron through some row. If it meets that row alone first, then
  * behind it lies a point that breaks this row and no other: the row is irredundant. Directions are
@@ -106,19 +104,6 @@ static bool round_point_inside(fmb_interior_point *p)
     return true;
 }
 
-static bool do_products_fit(size_t n, size_t m, const fmb_lp_row *row)
-{
-    for (size_t i = 0; i < m; i++)
-        if (row[i].rel == FMB_EQ || row[i].v->z || row[i].v->bits > ROW_BITS)
-            return false;
-    return n <= MOST_COLUMNS;
-}
-
-/* The first margin of a search, in units of the distances of rows from 0, and how many times
- * smaller the next one is. */
-#define FIRST_MARGIN 0x1p-4
-#define NEXT_MARGIN  16
-
 static void write_unit_row(fmb_interior_point *p, size_t i)
 {
     const int64_t *a = p->row[i].v->s;
@@ -140,27 +125,11 @@ static fmb_status hold_arrays_of_point(fmb_interior_point *p, bool get)
                                FMB_ARRAY(p->entry, p->n * p->m), FMB_ARRAY(p->excess, p->m));
 }
 
-/* The mean exponent of the distances of 0 from rows that do not contain it. */
-static int exponent_of_distances(const fmb_interior_point *p)
-{
-    const double *right = &p->unit[p->n * p->m];
-    int sum = 0, rows = 0, exponent;
-    for (size_t i = 0; i < p->m; i++) {
-        if (right[i] == 0 || !isfinite(right[i]))
-            continue;
-        (void)frexp(right[i], &exponent);
-        sum += exponent;
-        rows++;
-    }
-    return rows > 0 ? sum / rows : 0;
-}
-
 static fmb_status open_inside_point(fmb_interior_point *p)
 {
     FMB_TRY(hold_arrays_of_point(p, true));
     for (size_t i = 0; i < p->m; i++)
         write_unit_row(p, i);
-    p->margin = ldexp(FIRST_MARGIN, exponent_of_distances(p));
     return FMB_OK;
 }
 
@@ -168,7 +137,7 @@ fmb_status fmb_interior_point_open(fmb_interior_point *p, fmb_run *run, size_t n
                                    const fmb_lp_row *row, bool *possible)
 {
     *p = (fmb_interior_point){.run = run, .n = n, .m = m, .row = row};
-    *possible = do_products_fit(n, m, row);
+    *possible = n <= MOST_COLUMNS;
     return *possible ? open_inside_point(p) : FMB_OK;
 }
 
@@ -179,12 +148,17 @@ static fmb_status try_slack(fmb_interior_point *p, size_t steps, double margin, 
     return st;
 }
 
+/* So far rows are moved inwards first, where most distances of rows from 0 are about 1; and how
+ * many times less then. */
+#define FIRST_MARGIN 0x1p-4
+#define NEXT_MARGIN  16
+
 /* Most that have inner points show one after a few steps; a deep one if possible, from where rays
  * tell more rows apart. */
 fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found)
 {
-    FMB_TRY(try_slack(p, 8 + 2 * p->n, p->margin, found));
-    return !*found ? try_slack(p, 8 + 2 * p->n, p->margin / NEXT_MARGIN, found) : FMB_OK;
+    FMB_TRY(try_slack(p, 8 + 2 * p->n, FIRST_MARGIN, found));
+    return !*found ? try_slack(p, 8 + 2 * p->n, FIRST_MARGIN / NEXT_MARGIN, found) : FMB_OK;
 }
 
 enum { MARGINS = 3 };
@@ -196,7 +170,7 @@ static size_t steps_of_search(const fmb_interior_point *p)
 
 fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found)
 {
-    double margin = p->margin;
+    double margin = FIRST_MARGIN;
     *found = false;
     for (int k = 0; !*found && k < MARGINS; k++, margin /= NEXT_MARGIN)
         FMB_TRY(try_slack(p, steps_of_search(p), margin, found));

@@ -15,13 +15,13 @@ typedef struct fmb_interior_point {
     double *unit;    /* [n + 1][m] column by column, rows by their lengths |a|; the last is -b */
     double *entry;   /* [n][m] column by column, as they are */
     double *excess;  /* [m] scratch: how far x is beyond each row */
-    double margin;   /* by which a search moves rows inwards first */
     bool near;       /* rows near those are meant: coefficients differ by less than 1 each, */
     bool near_right; /* and right sides do so, too; else they are the same */
 } fmb_interior_point;
 
-/* *possible false: there are equalities, or the numbers are too large. Errors: MEMORY. In any case
- * fmb_interior_point_clear it. */
+/* Inequalities of at most 29 bits, most of them about as far from 0 as their coefficients are long
+ * (leading_rows.h makes them so). *possible false: there are too many columns. Errors: MEMORY. In
+ * any case fmb_interior_point_clear it. */
 fmb_status fmb_interior_point_open(fmb_interior_point *p, fmb_run *run, size_t n, size_t m,
                                    const fmb_lp_row *row, bool *possible);
 /* Look for a point strictly inside all of the rows, from where the last search ended. *found false:

@@ -115,13 +115,14 @@ fmb_status fmb_leading_rows_find_inside(fmb_leading_rows *t, fmb_run *run, doubl
                                         bool *found)
 {
     fmb_interior_point *p = &t->inside;
-    bool possible;
+    fmb_status st = FMB_OK;
     *found = false;
-    fmb_run_count(run, t->m * (100 + 8 * t->n));
-    fmb_status st = fmb_interior_point_open(p, run, t->n, t->m, t->row, &possible);
-    if (st == FMB_OK && possible)
-        st = fmb_interior_point_find_quickly(p, found);
-    if (st == FMB_OK && possible && !*found && fmb_interior_point_most_work(p) <= patience)
+    if (!p->run) {
+        fmb_run_count(run, t->m * (100 + 8 * t->n));
+        FMB_TRY(fmb_interior_point_open(p, run, t->n, t->m, t->row, &t->possible));
+        st = t->possible ? fmb_interior_point_find_quickly(p, found) : FMB_OK;
+    }
+    if (st == FMB_OK && t->possible && !*found && fmb_interior_point_most_work(p) <= patience)
         st = fmb_interior_point_find(p, found);
     p->near = t->rough;
     p->near_right = t->right < SIZE_MAX;

@@ -23,6 +23,7 @@ typedef struct fmb_leading_rows {
     fmb_vec *v;                /* [m] */
     int64_t *entry;            /* [m][n + 1] */
     bool rough;                /* some number was rounded */
+    bool possible;             /* to look for a point inside */
     fmb_interior_point inside; /* if a point was found */
 } fmb_leading_rows;
 
@@ -39,8 +40,8 @@ fmb_status fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, con
 int fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a);
 /* a.x <= b or a.x < b. */
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch);
-/* Is there a point strictly inside? A glance is taken, and a search if that takes no more work
- * (trace/run.h) than patience. *found false: none was found. Errors: MEMORY, LIMIT. */
+/* Is there a point strictly inside? The first call takes a glance, and each a search if that takes
+ * no more work (trace/run.h) than patience. *found false: none was found. Errors: MEMORY, LIMIT. */
 fmb_status fmb_leading_rows_find_inside(fmb_leading_rows *t, fmb_run *run, double patience,
                                         bool *found);
 
