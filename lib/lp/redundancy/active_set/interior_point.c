@@ -18,9 +18,9 @@
 /* Sizes [bits], so that the slack (ROW + POINT + 6), the speed towards a row (ROW + WAY + 6), and a
  * product of both fit in 62, 53 and 127 bits: doubles add up speeds without rounding. */
 enum { ROW_BITS = 29, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
-/* Coordinates are multiples of 2^-grid. Below the least grid, or with right sides times 2^grid
- * above the most, slacks would be longer. */
-enum { LEAST_GRID = -3, MOST_GRID = POINT_BITS + 6 };
+/* Coordinates are multiples of 2^-precision. Below the least precision, or with right sides times
+ * 2^precision above the most, slacks would be longer. */
+enum { LEAST_PRECISION = -3, MOST_PRECISION = POINT_BITS + 6 };
 
 static void find_excess_of_rows(fmb_interior_point *p)
 {
@@ -70,34 +70,35 @@ static fmb_status reflect_until_inside(fmb_interior_point *p, size_t steps, doub
     return FMB_OK;
 }
 
-/* The finest grid on which the coordinates have POINT_BITS bits; below LEAST_GRID: there is none.
+/* The finest precision on which the coordinates have POINT_BITS bits; below LEAST_PRECISION: there
+ * is none.
  */
-static int find_grid(const fmb_interior_point *p)
+static int choose_precision(const fmb_interior_point *p)
 {
     double most = 0;
     int exponent;
     for (size_t j = 0; j < p->n; j++)
         most = fmax(most, fabs(p->x[j]));
     if (!isfinite(most))
-        return LEAST_GRID - 1;
+        return LEAST_PRECISION - 1;
     (void)frexp(most * (1 + 0x1p-20), &exponent);
-    return POINT_BITS - exponent < MOST_GRID ? POINT_BITS - exponent : MOST_GRID;
+    return POINT_BITS - exponent < MOST_PRECISION ? POINT_BITS - exponent : MOST_PRECISION;
 }
 
 /* Round the point and compute the slacks; false if it is not strictly inside. */
 static bool round_point_inside(fmb_interior_point *p)
 {
-    int grid = find_grid(p);
-    if (grid < LEAST_GRID)
+    int precision = choose_precision(p);
+    if (precision < LEAST_PRECISION)
         return false;
-    p->grid = grid > 0 ? grid : 0;
+    p->precision = precision > 0 ? precision : 0;
     for (size_t j = 0; j < p->n; j++)
-        p->x[j] = ldexp(nearbyint(ldexp(p->x[j], grid)), -grid);
+        p->x[j] = ldexp(nearbyint(ldexp(p->x[j], precision)), -precision);
     for (size_t i = 0; i < p->m; i++) {
         const int64_t *a = p->row[i].v->s;
-        p->slack[i] = a[p->n] * ((int64_t)1 << p->grid);
+        p->slack[i] = a[p->n] * ((int64_t)1 << p->precision);
         for (size_t j = 0; j < p->n; j++)
-            p->slack[i] -= a[j] * (int64_t)ldexp(p->x[j], p->grid);
+            p->slack[i] -= a[j] * (int64_t)ldexp(p->x[j], p->precision);
         if (p->slack[i] <= 0)
             return false;
     }
@@ -184,15 +185,15 @@ double fmb_interior_point_most_work(const fmb_interior_point *p)
     return MARGINS * (double)steps_of_search(p) * (entries / 4 + (double)p->m + (double)p->n);
 }
 
-/* The slack of row a + d is the one of a, less 2^grid d.x, where |d.x| < |x_1| + ... unless x is 0;
- * and less 2^grid and less where the right side differs, too. The coordinates are multiples of
- * 2^-grid: there is no rounding. */
+/* The slack of row a + d is the one of a, less 2^precision d.x, where |d.x| < |x_1| + ... unless x
+ * is 0; and less 2^precision and less where the right side differs, too. The coordinates are
+ * multiples of 2^-precision: there is no rounding. */
 static int64_t slack_between_near_rows(const fmb_interior_point *p)
 {
     double size = p->near_right ? 1 : 0;
     for (size_t j = 0; j < p->n; j++)
         size += fabs(p->x[j]);
-    return (int64_t)ldexp(size, p->grid);
+    return (int64_t)ldexp(size, p->precision);
 }
 
 bool fmb_interior_point_sees_near_rows(const fmb_interior_point *p)

@@ -10,8 +10,8 @@ typedef struct fmb_interior_point {
     size_t n, m;
     const fmb_lp_row *row;
     double *x;       /* [n] the point, exactly */
-    int grid;        /* its coordinates are multiples of 2^-grid */
-    int64_t *slack;  /* [m] 2^grid (b - a.x) > 0 */
+    int precision;   /* its coordinates are multiples of 2^-precision */
+    int64_t *slack;  /* [m] 2^precision (b - a.x) > 0 */
     double *unit;    /* [n + 1][m] column by column, rows by their lengths |a|; the last is -b */
     double *entry;   /* [n][m] column by column, as they are */
     double *excess;  /* [m] scratch: how far x is beyond each row */

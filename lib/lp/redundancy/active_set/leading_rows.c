@@ -31,7 +31,7 @@ void fmb_leading_rows_close(fmb_leading_rows *t)
     (void)hold_leading_rows(t, false);
 }
 
-static bool is_column_named(size_t j, size_t m, const fmb_lp_row *row)
+static bool is_column_nonzero(size_t j, size_t m, const fmb_lp_row *row)
 {
     for (size_t i = 0; i < m; i++)
         if (fmb_vec_entry_bits(row[i].v, j) > 0)
@@ -63,7 +63,7 @@ fmb_status fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, con
     int *more;
     FMB_TRY(FMB_GET(t->mem, more, m));
     for (size_t j = 0; j < n; j++)
-        if (is_column_named(j, m, row))
+        if (is_column_nonzero(j, m, row))
             t->column[t->n++] = j;
     t->right = n;
     t->unit = median_bits_of_right_sides(n, m, row, more);
