@@ -144,7 +144,9 @@ static fmb_status look_from_inside(fmb_pruner *p, bool *room)
     if (p->equal.m > 0)
         return FMB_OK;
     fmb_status st = fmb_leading_rows_open(&t, p->run->mem, p->n, p->m);
-    FMB_THEN(st, fmb_leading_rows_measure(&t, p->n, p->m, p->row));
+    if (st == FMB_OK)
+        fmb_leading_rows_list_columns(&t, p->n, p->m, p->row);
+    FMB_THEN(st, fmb_leading_rows_choose_units(&t, p->m, p->row));
     if (st == FMB_OK) {
         for (size_t i = 0; i < p->m; i++)
             if (p->fate[i] != FMB_FATE_REDUNDANT)

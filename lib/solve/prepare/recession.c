@@ -51,18 +51,33 @@ static void list_columns_of_cone(cone *c, const bool *drop)
     }
 }
 
-/* List the rows of the cone. False: it has equalities, or there are no columns. */
-static bool list_rows_of_cone(cone *c)
+/* The rows that name these columns. False: there are equalities among them, or no columns. */
+static bool list_rows_of_cone(cone *c, fmb_lp_row *row, size_t *rows)
 {
     bool possible = c->rows.n > 0;
+    *rows = 0;
     for (size_t i = 0; possible && i < c->e->live.size; i++) {
         const fmb_derived *r = live_row_of_cone(c, i);
         if (!names_column_of_cone(c, r))
             continue;
         possible = !r->equality;
-        fmb_leading_rows_add(&c->rows, &r->v, c->e->num.t);
+        row[(*rows)++] = (fmb_lp_row){&r->v, FMB_LE};
     }
     return possible;
+}
+
+/* *possible false: the cone is not looked at. */
+static fmb_status write_rows_of_cone(cone *c, bool *possible)
+{
+    size_t most = c->e->live.size, rows;
+    fmb_lp_row *row;
+    FMB_TRY(FMB_GET(c->e->run->mem, row, most));
+    *possible = list_rows_of_cone(c, row, &rows);
+    fmb_status st = *possible ? fmb_leading_rows_choose_units(&c->rows, rows, row) : FMB_OK;
+    for (size_t i = 0; st == FMB_OK && *possible && i < rows; i++)
+        fmb_leading_rows_add(&c->rows, row[i].v, c->e->num.t);
+    fmb_mem_put(c->e->run->mem, row, most, sizeof *row);
+    return st;
 }
 
 static void leave_rows_behind(cone *c)
@@ -77,13 +92,14 @@ static void leave_rows_behind(cone *c)
 fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, double patience, bool *recedes)
 {
     cone c = {.e = e};
+    bool possible = false;
     *recedes = false;
     fmb_status st = fmb_leading_rows_open(&c.rows, e->run->mem, (size_t)e->n, e->live.size);
-    if (st == FMB_OK) {
+    if (st == FMB_OK)
         list_columns_of_cone(&c, drop);
-        if (list_rows_of_cone(&c))
-            st = fmb_leading_rows_find_inside(&c.rows, e->run, patience, recedes);
-    }
+    FMB_THEN(st, write_rows_of_cone(&c, &possible));
+    if (st == FMB_OK && possible)
+        st = fmb_leading_rows_find_inside(&c.rows, e->run, patience, recedes);
     if (st == FMB_OK && *recedes)
         leave_rows_behind(&c);
     fmb_leading_rows_close(&c.rows);

@@ -1,7 +1,6 @@
 /* active_set.c: see active_set.h. */
 #include "lp/redundancy/active_set/active_set.h"
 
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -15,86 +14,20 @@
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* The length of entry k of row i, k = n: of the right side. */
-static int bits_of_entry(const fmb_scaled_rows *s, size_t i, size_t k)
+static void scale_row(fmb_scaled_rows *s, size_t i)
 {
-    size_t column = k == s->n ? s->width : s->leading->column[k];
-    return (int)fmb_vec_entry_bits(s->row[i].v, column);
-}
-
-/* The mean length of the row's entries over the lengths of their columns; *named: how many there
- * are. */
-static int mean_bits_of_row(const fmb_scaled_rows *s, size_t i, int *named)
-{
-    int sum = 0;
-    *named = 0;
-    for (size_t k = 0; k < s->d; k++) {
-        int bits = bits_of_entry(s, i, k);
-        sum += bits > 0 ? bits - s->column[k] : 0;
-        *named += bits > 0;
-    }
-    return *named > 0 ? sum / *named : 0;
-}
-
-/* Least squares of logarithms, by turns (Curtis, Reid 1972). A row with one entry says nothing
- * about its column. */
-static void improve_columns(fmb_scaled_rows *s, int *sum, int *count)
-{
+    const fmb_vec *v = s->row[i].v;
+    const fmb_leading_rows *t = s->leading;
+    s->exponent[i] = fmb_leading_rows_bits(t, v);
     for (size_t k = 0; k < s->d; k++)
-        sum[k] = count[k] = 0;
-    for (size_t i = 0; i < s->m; i++) {
-        int named, mean = mean_bits_of_row(s, i, &named);
-        for (size_t k = 0; named > 1 && k < s->d; k++) {
-            int bits = bits_of_entry(s, i, k);
-            sum[k] += bits > 0 ? bits - mean : 0;
-            count[k] += bits > 0;
-        }
-    }
-    for (size_t k = 0; k < s->d; k++)
-        s->column[k] = count[k] > 0 ? sum[k] / count[k] : 0;
-}
-
-static void scale_row_to_unit(fmb_scaled_rows *s, size_t i)
-{
-    s->exponent[i] = INT_MIN;
-    for (size_t k = 0; k < s->d; k++) {
-        int bits = bits_of_entry(s, i, k);
-        if (bits > 0 && bits - s->column[k] > s->exponent[i])
-            s->exponent[i] = bits - s->column[k];
-    }
-    if (s->exponent[i] == INT_MIN)
-        s->exponent[i] = 0;
-    for (size_t k = 0; k < s->d; k++) {
-        size_t column = k == s->n ? s->width : s->leading->column[k];
-        s->at[k * s->m + i] =
-            fmb_vec_entry_double(s->row[i].v, column, s->exponent[i] + s->column[k]);
-    }
-}
-
-/* Doubles tell numbers apart that differ by so many bits, far above their rounding errors. */
-#define NEAR_BITS 12
-
-static bool are_all_bits_near(const fmb_scaled_rows *s)
-{
-    for (size_t i = 0; i < s->m; i++)
-        if (fmb_vec_is_wide(s->row[i].v) || s->row[i].v->bits > NEAR_BITS)
-            return false;
-    return true;
-}
-
-static void choose_columns_scales(fmb_scaled_rows *s)
-{
-    for (int k = 0; k < 2 && !are_all_bits_near(s); k++)
-        improve_columns(s, s->scratch, s->scratch + s->d);
-    for (size_t j = 0; j < s->n; j++)
-        s->coordinate[j] = ldexp(1, s->column[s->n] - s->column[j] - s->leading->unit);
+        s->at[k * s->m + i] = fmb_vec_entry_double(v, k < s->n ? t->column[k] : t->right,
+                                                   s->exponent[i] + t->shift[k]);
 }
 
 static fmb_status hold_scaled_rows(fmb_scaled_rows *s, fmb_mem *mem, bool get)
 {
     return FMB_ARRAYS_IN_BLOCK(mem, get, FMB_ARRAY(s->at, s->d * s->m),
-                               FMB_ARRAY(s->coordinate, s->n), FMB_ARRAY(s->exponent, s->m),
-                               FMB_ARRAY_ZERO(s->column, s->d), FMB_ARRAY(s->scratch, 2 * s->d));
+                               FMB_ARRAY(s->exponent, s->m));
 }
 
 fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
@@ -104,9 +37,8 @@ fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size
         .n = leading->n, .m = m, .row = row, .small = small, .leading = leading, .width = n};
     s->d = s->n + 1;
     FMB_TRY(hold_scaled_rows(s, mem, true));
-    choose_columns_scales(s);
     for (size_t i = 0; i < m; i++)
-        scale_row_to_unit(s, i);
+        scale_row(s, i);
     fmb_program_init(&s->sparse, mem, (int)n);
     for (size_t i = 0; !small && i < m; i++)
         FMB_TRY(fmb_program_add_dense(&s->sparse, row[i].v, row[i].rel));
@@ -291,7 +223,7 @@ fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to)
 {
     for (size_t i = from; i < to; i++) {
         for (size_t j = 0; j < s->of->n; j++)
-            s->way[j] = s->of->at[j * s->of->m + i] * s->of->coordinate[j];
+            s->way[j] = s->of->at[j * s->of->m + i];
         (void)keep_row_hit(s);
         FMB_TRY(fmb_run_poll(s->run));
     }
@@ -307,7 +239,7 @@ static size_t shoot_beyond_normal(fmb_active_set *s)
     if (!s->seen)
         return SIZE_MAX;
     for (size_t j = 0; j < s->of->n; j++) /* at the scale of the point, 1 / depth */
-        s->way[j] = -normal[j] * s->of->coordinate[j] - depth * s->seen->x[j];
+        s->way[j] = -normal[j] - depth * s->seen->x[j];
     return keep_row_hit(s);
 }
 

@@ -24,13 +24,10 @@ typedef struct fmb_scaled_rows {
     size_t n, m, d; /* columns, rows, columns with the right side */
     const fmb_lp_row *row;
     bool small;                      /* all rows are (num/vec.h) */
-    const fmb_leading_rows *leading; /* names the columns, and has the unit of points inside */
+    const fmb_leading_rows *leading; /* names the columns, and has their units */
     size_t width;                    /* of the rows as they are */
     double *at;                      /* [d][m] rows, scaled */
-    int *exponent;      /* [m] entry k of a row = 2^(exponent + column[k]) times what */
-    int *column;        /* [d] is in at */
-    double *coordinate; /* [n] coordinates of points are these times those of the scaled rows */
-    int *scratch;       /* [2 d] */
+    int *exponent;      /* [m] entry k of a row is 2^(exponent + leading->shift[k]) times that */
     fmb_program sparse; /* long rows */
 } fmb_scaled_rows;
 

@@ -368,7 +368,8 @@ static void close_sorting(sorting *s)
 static fmb_status open_leading_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row)
 {
     FMB_TRY(fmb_leading_rows_open(&s->leading, s->run->mem, n, m));
-    return fmb_leading_rows_measure(&s->leading, n, m, row);
+    fmb_leading_rows_list_columns(&s->leading, n, m, row);
+    return fmb_leading_rows_choose_units(&s->leading, m, row);
 }
 
 static fmb_status scale_rows(sorting *s, size_t n, size_t m, const fmb_lp_row *row, bool small)

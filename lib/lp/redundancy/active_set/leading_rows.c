@@ -12,7 +12,8 @@
 static fmb_status hold_leading_rows(fmb_leading_rows *t, bool get)
 {
     size_t m = t->most_rows, n = t->most_columns;
-    return FMB_ARRAYS_IN_BLOCK(t->mem, get, FMB_ARRAY(t->column, n), FMB_ARRAY(t->row, m),
+    return FMB_ARRAYS_IN_BLOCK(t->mem, get, FMB_ARRAY(t->column, n),
+                               FMB_ARRAY_ZERO(t->shift, n + 1), FMB_ARRAY(t->row, m),
                                FMB_ARRAY(t->v, m), FMB_ARRAY(t->entry, m * (n + 1)));
 }
 
@@ -39,37 +40,105 @@ static bool is_column_nonzero(size_t j, size_t m, const fmb_lp_row *row)
     return false;
 }
 
+void fmb_leading_rows_list_columns(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row)
+{
+    for (size_t j = 0; j < n; j++)
+        if (is_column_nonzero(j, m, row))
+            t->column[t->n++] = j;
+    t->right = n;
+}
+
+/* ---- units ----------------------------------------------------------------------------------- */
+
+/* Doubles, and leading bits, tell numbers apart that differ by so many bits, far above their
+ * rounding errors. */
+#define NEAR_BITS 12
+
+static bool are_all_bits_near(size_t m, const fmb_lp_row *row)
+{
+    for (size_t i = 0; i < m; i++)
+        if (fmb_vec_is_wide(row[i].v) || row[i].v->bits > NEAR_BITS)
+            return false;
+    return true;
+}
+
+/* The length of coefficient k of a row. */
+static int bits_of_entry(const fmb_leading_rows *t, const fmb_vec *a, size_t k)
+{
+    return (int)fmb_vec_entry_bits(a, t->column[k]);
+}
+
+/* The mean length of a row's coefficients in the units of their columns; *named: how many there
+ * are. */
+static int mean_bits_of_row(const fmb_leading_rows *t, const fmb_vec *a, int *named)
+{
+    int sum = 0;
+    *named = 0;
+    for (size_t k = 0; k < t->n; k++) {
+        int bits = bits_of_entry(t, a, k);
+        sum += bits > 0 ? bits - t->shift[k] : 0;
+        *named += bits > 0;
+    }
+    return *named > 0 ? sum / *named : 0;
+}
+
+/* One turn of least squares of logarithms (Curtis, Reid 1972): units of rows, then of columns. A
+ * row with one coefficient says nothing about its column. */
+static void improve_units(fmb_leading_rows *t, size_t m, const fmb_lp_row *row, int *sum,
+                          int *count)
+{
+    for (size_t k = 0; k < t->n; k++)
+        sum[k] = count[k] = 0;
+    for (size_t i = 0; i < m; i++) {
+        int named, mean = mean_bits_of_row(t, row[i].v, &named);
+        for (size_t k = 0; named > 1 && k < t->n; k++) {
+            int bits = bits_of_entry(t, row[i].v, k);
+            sum[k] += bits > 0 ? bits - mean : 0;
+            count[k] += bits > 0;
+        }
+    }
+    for (size_t k = 0; k < t->n; k++)
+        t->shift[k] = count[k] > 0 ? sum[k] / count[k] : 0;
+}
+
 static int compare_ints(const void *a, const void *b)
 {
     int x = *(const int *)a, y = *(const int *)b;
     return (x > y) - (x < y);
 }
 
-/* By how many bits right sides are longer than coefficients, the median of the rows with both. */
-static int median_bits_of_right_sides(size_t n, size_t m, const fmb_lp_row *row, int *more)
+/* By how many bits right sides are longer than coefficients in their units, the median of the rows
+ * with both: some rows may be very far from 0, or very near. more[m]: scratch. */
+static int median_bits_of_right_sides(fmb_leading_rows *t, size_t m, const fmb_lp_row *row,
+                                      int *more)
 {
-    size_t rows = 0;
+    size_t rows = 0, right = t->right;
+    t->right = SIZE_MAX;
     for (size_t i = 0; i < m; i++) {
-        size_t left = fmb_vec_most_bits(row[i].v, n), right = fmb_vec_entry_bits(row[i].v, n);
-        if (left > 0 && right > 0)
-            more[rows++] = (int)right - (int)left;
+        int bits = (int)fmb_vec_entry_bits(row[i].v, right),
+            left = fmb_leading_rows_bits(t, row[i].v);
+        if (bits > 0 && left > INT_MIN)
+            more[rows++] = bits - left;
     }
+    t->right = right;
     qsort(more, rows, sizeof *more, compare_ints);
     return rows > 0 ? more[rows / 2] : 0;
 }
 
-fmb_status fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row)
+fmb_status fmb_leading_rows_choose_units(fmb_leading_rows *t, size_t m, const fmb_lp_row *row)
 {
-    int *more;
-    FMB_TRY(FMB_GET(t->mem, more, m));
-    for (size_t j = 0; j < n; j++)
-        if (is_column_nonzero(j, m, row))
-            t->column[t->n++] = j;
-    t->right = n;
-    t->unit = median_bits_of_right_sides(n, m, row, more);
-    fmb_mem_put(t->mem, more, m, sizeof *more);
+    size_t size = m + 2 * t->n;
+    int *scratch;
+    FMB_TRY(FMB_GET(t->mem, scratch, size));
+    for (int turn = 0; turn < 2 && !are_all_bits_near(m, row); turn++)
+        improve_units(t, m, row, scratch, scratch + t->n);
+    if (t->right < SIZE_MAX)
+        t->shift[t->n] = median_bits_of_right_sides(t, m, row, scratch);
+    fmb_mem_put(t->mem, scratch, size, sizeof *scratch);
     return FMB_OK;
 }
+
+/* ---- rows ------------------------------------------------------------------------------------ */
 
 /* a / 2^down, rounded towards 0; less than 2^62. */
 static int64_t leading_bits(const fmb_vec *a, size_t j, int down, mpz_t scratch)
@@ -88,26 +157,27 @@ static int64_t leading_bits(const fmb_vec *a, size_t j, int down, mpz_t scratch)
 
 int fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a)
 {
-    int bits = INT_MIN;
-    if (t->right < SIZE_MAX && fmb_vec_entry_bits(a, t->right) > 0)
-        bits = (int)fmb_vec_entry_bits(a, t->right) - t->unit;
+    int most = INT_MIN;
+    if (t->right < SIZE_MAX && fmb_vec_sgn(a, t->right) != 0)
+        most = (int)fmb_vec_entry_bits(a, t->right) - t->shift[t->n];
     for (size_t k = 0; k < t->n; k++) {
-        int mine = (int)fmb_vec_entry_bits(a, t->column[k]);
-        bits = mine > 0 && mine > bits ? mine : bits;
+        int bits = bits_of_entry(t, a, k);
+        most = bits > 0 && bits - t->shift[k] > most ? bits - t->shift[k] : most;
     }
-    return bits;
+    return most;
 }
 
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch)
 {
     int64_t *value = &t->entry[t->m * (t->n + 1)];
     int bits = fmb_leading_rows_bits(t, a), down = bits > INT_MIN ? bits - LEADING_BITS : 0;
-    for (size_t k = 0; k < t->n; k++)
-        value[k] = leading_bits(a, t->column[k], down, scratch);
-    value[t->n] = t->right < SIZE_MAX ? leading_bits(a, t->right, down + t->unit, scratch) : 0;
+    value[t->n] = 0;
+    for (size_t k = 0; k <= t->n && (k < t->n || t->right < SIZE_MAX); k++) {
+        value[k] = leading_bits(a, k < t->n ? t->column[k] : t->right, down + t->shift[k], scratch);
+        t->rough |= down + t->shift[k] > 0;
+    }
     t->v[t->m] = (fmb_vec){.s = value, .bits = LEADING_BITS};
     t->row[t->m] = (fmb_lp_row){&t->v[t->m], FMB_LE};
-    t->rough |= down > 0 || down + t->unit > 0;
     t->m++;
 }
 

@@ -3,9 +3,9 @@
  *
  * Divide row a.x <= b by a power of two, and round towards 0 to a'.x <= b': no number changes by 1
  * or more. So where b' - a'.x >= 1 + |x_1| + |x_2| + ..., a.x < b is proved; without the 1 where b
- * is 0. Rows of short numbers are multiplied, so that this asks little of them, too. Right sides,
- * and with them points, are measured in a power of two of their own, so that in most rows they are
- * as long as coefficients, and points have coordinates of about 1.
+ * is 0. Rows of short numbers are multiplied, so that this asks little of them, too. Columns, and
+ * right sides, are divided by powers of two of their own: so entries of most rows are about as
+ * long, and points have coordinates of about 1, whatever the units of variables and rows.
  */
 #ifndef FMB_LP_LEADING_ROWS_H
 #define FMB_LP_LEADING_ROWS_H
@@ -17,26 +17,28 @@ typedef struct fmb_leading_rows {
     size_t n, m;                    /* columns, rows so far */
     size_t most_columns, most_rows; /* room */
     size_t *column;                 /* [n] of the rows that are added */
-    size_t right;              /* the same of right sides, or SIZE_MAX: they are taken for 0; */
-    int unit;                  /* they are divided by 2^unit */
-    fmb_lp_row *row;           /* [m] */
-    fmb_vec *v;                /* [m] */
-    int64_t *entry;            /* [m][n + 1] */
-    bool rough;                /* some number was rounded */
-    bool possible;             /* to look for a point inside */
-    fmb_interior_point inside; /* if a point was found */
+    size_t right;                   /* the same of right sides, or SIZE_MAX: they are taken for 0 */
+    int *shift;                     /* [n + 1] columns, last that of right sides, are divided by
+                                       2^shift */
+    fmb_lp_row *row;                /* [m] */
+    fmb_vec *v;                     /* [m] */
+    int64_t *entry;                 /* [m][n + 1] */
+    bool rough;                     /* some number was rounded */
+    bool possible;                  /* to look for a point inside */
+    fmb_interior_point inside;      /* if a point was found */
 } fmb_leading_rows;
 
-/* Room for so many. Whoever adds rows first fills in n, column, right and unit. In any case
+/* Room for so many. Whoever adds rows first lists columns, and may have units chosen. In any case
  * fmb_leading_rows_close it. Errors: MEMORY, LIMIT. */
 fmb_status fmb_leading_rows_open(fmb_leading_rows *t, fmb_mem *mem, size_t most_columns,
                                  size_t most_rows);
 void fmb_leading_rows_close(fmb_leading_rows *t);
-/* Fill them in for m rows of n columns and a right side: the columns that some of them names.
- * Errors: MEMORY, LIMIT. */
-fmb_status fmb_leading_rows_measure(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row);
-/* Of a row's coefficients, and of its right side in the unit, the longest has so many bits; INT_MIN
- * if all are 0. */
+/* Those of m rows of n columns and a right side that some row names. */
+void fmb_leading_rows_list_columns(fmb_leading_rows *t, size_t n, size_t m, const fmb_lp_row *row);
+/* The units of the columns listed that fit such rows. Errors: MEMORY, LIMIT. */
+fmb_status fmb_leading_rows_choose_units(fmb_leading_rows *t, size_t m, const fmb_lp_row *row);
+/* Of a row's numbers in the units of their columns, the longest has so many bits; INT_MIN if all
+ * are 0. */
 int fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a);
 /* a.x <= b or a.x < b. */
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch);
