@@ -305,14 +305,25 @@ static void study_problem(const setup *u, const char *family, int digits, uint64
     fmb_system_free(s);
 }
 
-static const int DIGITS[] = {0, 9};
+/* As they are; as fractions of so many digits; in other units. */
+enum { UNITS = -1 };
+static const int DIGITS[] = {0, 9, UNITS};
+
+/* Variables and rows are multiplied by powers of 10 up to so many. */
+#define MOST_POWER 3
+
+static fmb_status dress_system(const fmb_system *s, int digits, uint64_t seed, fmb_system **out)
+{
+    return digits == UNITS ? study_system_rescale(s, MOST_POWER, seed, NULL, out)
+                           : study_system_fractions(s, digits, seed, out);
+}
 
 static void study_family(const setup *u, int family, uint64_t seed, int digits)
 {
     study_projection drawn;
     fmb_system *dressed = NULL;
     if (study_projection_draw(family, seed, &drawn) != FMB_OK ||
-        (digits > 0 && study_system_fractions(drawn.s, digits, seed, &dressed) != FMB_OK))
+        (digits != 0 && dress_system(drawn.s, digits, seed, &dressed) != FMB_OK))
         fail("no memory");
     fmb_system *s = dressed ? dressed : drawn.s;
     int most = fmb_system_dim(s) - 2, keep = drawn.keep + u->more;

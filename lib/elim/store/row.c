@@ -105,12 +105,17 @@ fmb_status fmb_elim_split(fmb_elim *e, uint32_t i)
 
 size_t fmb_elim_minor_bits(const fmb_elim *e)
 {
-    size_t bits = 0, rows = e->live.size, columns = (size_t)(e->n - e->rounds);
-    for (size_t i = 0; i < rows; i++) {
-        const fmb_vec *v = &e->row[e->live.row[i]].v;
-        bits += fmb_vec_is_wide(v) ? 64 : (size_t)v->bits;
+    size_t all = 0;
+    for (size_t j = 0; j <= (size_t)e->n; j++) {
+        size_t bits = 0, named = 0;
+        for (size_t i = 0; i < e->live.size; i++) {
+            size_t own = fmb_vec_entry_bits(&e->row[e->live.row[i]].v, j);
+            bits += own;
+            named += own > 0;
+        }
+        all += named > 0 ? bits / named : 0;
     }
-    return rows > 0 ? bits * columns / rows : 0;
+    return all;
 }
 
 /* ---- combinations ---------------------------------------------------------------------------- */

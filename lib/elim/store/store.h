@@ -183,8 +183,8 @@ static inline int fmb_elim_single_variable(const fmb_elim *e, const fmb_derived 
     return j < 0 || fmb_elim_next_variable(e, r, j + 1) >= 0 ? -1 : j;
 }
 
-/* Estimated bits of a minor of all remaining columns: their number times the mean bits of the live
- * rows, where a wide row counts as 64 bits. */
+/* Estimated bits of a minor of all remaining columns and right sides: the sum of their mean bits in
+ * the live rows. */
 size_t fmb_elim_minor_bits(const fmb_elim *e);
 /* With minors of this many bits, exact linear programs become slow. */
 #define FMB_LONG_MINOR 120

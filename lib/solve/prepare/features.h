@@ -22,8 +22,7 @@ typedef struct fmb_features {
     size_t homogeneous;   /* rows with right side 0 */
     size_t most_pairs;    /* pairs of opposite signs in a variable to eliminate, the maximum */
     size_t least_growth;  /* pairs formed less rows removed, the minimum over these variables */
-    size_t minor_bits;    /* estimated length of a minor of all columns, if all rows are as long
-                             as their mean [bits] */
+    size_t minor_bits;    /* estimated length of a minor of all columns (fmb_elim_minor_bits) */
     bool has_origin;      /* all variables at 0 are a solution */
 } fmb_features;
 
