@@ -163,7 +163,7 @@ static fmb_status drop_carried_row(fmb_cone *c, size_t k)
     c->left[k] = c->left[c->lefts];
     c->negatives[k] = c->negatives[c->lefts];
     fmb_status line = fmb_rays_drop_entry(&c->line, c->coords + k);
-    fmb_status ray = fmb_insertion_drop_entry(c, c->coords + k);
+    fmb_status ray = fmb_rays_drop_entry(&c->ray, c->coords + k);
     return line != FMB_OK ? line : ray;
 }
 

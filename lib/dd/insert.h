@@ -78,11 +78,8 @@ static inline uint64_t fmb_work_of_ray(const fmb_vec *v, size_t width)
 /* ---- insert_workers.c ------------------------------------------------------------------------ */
 
 /* By several threads where that pays, for each ray: set the entry behind the coordinates to the
- * value in a row (of lines, too); find the sign in the row being inserted; remove an entry; find
- * the edges if the ray is simple. Errors: MEMORY, LIMIT. */
+ * value in a row (of lines, too); find the edges if the ray is simple. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row);
-fmb_status fmb_insertion_find_signs(fmb_cone *c);
-fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry);
 fmb_status fmb_insertion_find_edges(fmb_cone *c);
 void fmb_insertion_dismiss_workers(fmb_insertion *s, fmb_mem *mem);
 

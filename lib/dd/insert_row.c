@@ -80,8 +80,10 @@ fmb_status fmb_insertion_break_line(fmb_cone *c, size_t row, size_t entry, size_
 static void list_sides_of_row(const fmb_cone *c, fmb_insertion *s)
 {
     size_t rays[3] = {0}, at[3]; /* of each sign, from -1 on */
-    for (size_t i = 0; i < c->ray.size; i++)
+    for (size_t i = 0; i < c->ray.size; i++) {
+        s->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], s->entry);
         rays[s->sign[i] + 1]++;
+    }
     s->small_is_positive = rays[2] <= rays[0];
     s->large = s->small_is_positive ? rays[0] : rays[2];
     s->small = s->small_is_positive ? rays[2] : rays[0];
@@ -138,7 +140,6 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
     s->row = row;
     s->rays = rays;
     s->next = 0;
-    FMB_TRY(fmb_insertion_find_signs(c));
     list_sides_of_row(c, s);
     s->running = true;
     s->large_side.ready = s->rest.ready = false;

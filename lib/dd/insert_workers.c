@@ -58,28 +58,10 @@ static fmb_side_part part_of_side(size_t rays, size_t k)
     return (fmb_side_part){rays * k / FMB_INSERTION_CHUNKS, rays * (k + 1) / FMB_INSERTION_CHUNKS};
 }
 
-static fmb_status find_signs_of_chunk(void *self, size_t k, fmb_run *run)
-{
-    const fmb_cone *c = self;
-    fmb_side_part part = part_of_side(c->ray.size, k);
-    for (size_t i = part.from; i < part.to; i++)
-        c->at->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], c->at->entry);
-    return fmb_run_poll(run);
-}
-
 static bool is_a_look_for_workers(const fmb_cone *c)
 {
     size_t price = c->ray.size > 0 ? (size_t)fmb_ray_price(&c->ray.v[c->ray.size - 1]) : 0;
     return c->at->workers && c->ray.size * price >= WORTH_A_LOOK;
-}
-
-fmb_status fmb_insertion_find_signs(fmb_cone *c)
-{
-    if (is_a_look_for_workers(c))
-        return fmb_insertion_do(c, find_signs_of_chunk);
-    for (size_t i = 0; i < c->ray.size; i++)
-        c->at->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], c->at->entry);
-    return FMB_OK;
 }
 
 /* While a chunk works on rays their memory is counted separately, with the chunk's own limit. */
@@ -92,42 +74,6 @@ static fmb_mem count_rays_aside(const fmb_cone *c, fmb_side_part part, const fmb
     if (chunk->limit > 0)
         aside.limit = bytes + (chunk->limit > chunk->used ? chunk->limit - chunk->used : 1);
     return aside;
-}
-
-static void note_bytes_of_chunk(fmb_cone *c, size_t k, size_t before, size_t after)
-{
-    c->at->workers->chunk[k].before = before;
-    c->at->workers->chunk[k].after = after;
-}
-
-static void count_rays_again(fmb_cone *c)
-{
-    for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++) {
-        fmb_mem_take(c->run->mem, c->at->workers->chunk[k].after);
-        fmb_mem_refund(c->run->mem, c->at->workers->chunk[k].before);
-    }
-}
-
-static fmb_status drop_entry_of_chunk(void *self, size_t k, fmb_run *run)
-{
-    fmb_cone *c = self;
-    fmb_side_part part = part_of_side(c->ray.size, k);
-    fmb_mem aside = count_rays_aside(c, part, run->mem);
-    size_t before = aside.used;
-    fmb_status st = fmb_rays_drop_entry_of(&c->ray, c->at->entry, part.from, part.to, &aside);
-    note_bytes_of_chunk(c, k, before, aside.used);
-    return st;
-}
-
-fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry)
-{
-    if (!is_a_look_for_workers(c))
-        return fmb_rays_drop_entry(&c->ray, entry);
-    c->at->entry = entry;
-    fmb_status st = fmb_insertion_do(c, drop_entry_of_chunk);
-    count_rays_again(c);
-    c->ray.width--;
-    return st;
 }
 
 static fmb_status set_values_of_chunk(void *self, size_t k, fmb_run *run)
@@ -144,7 +90,8 @@ static fmb_status set_values_of_chunk(void *self, size_t k, fmb_run *run)
         FMB_THEN(st, fmb_run_poll(run));
     }
     w->chunk[k].num.mem = run->mem;
-    note_bytes_of_chunk(c, k, before, aside.used);
+    w->chunk[k].before = before;
+    w->chunk[k].after = aside.used;
     return st;
 }
 
@@ -154,7 +101,10 @@ static fmb_status set_values_of_rays(fmb_cone *c, const fmb_vec *row)
     if (is_a_look_for_workers(c)) {
         c->at->workers->row = row;
         st = fmb_insertion_do(c, set_values_of_chunk);
-        count_rays_again(c);
+        for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++) {
+            fmb_mem_take(c->run->mem, c->at->workers->chunk[k].after);
+            fmb_mem_refund(c->run->mem, c->at->workers->chunk[k].before);
+        }
         return st;
     }
     for (size_t i = 0; st == FMB_OK && i < c->ray.size; i++) {

@@ -62,24 +62,18 @@ fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits)
     return FMB_OK;
 }
 
-fmb_status fmb_rays_drop_entry_of(fmb_rays *r, size_t c, size_t from, size_t to, fmb_mem *mem)
+fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c)
 {
     fmb_status st = FMB_OK;
-    for (size_t i = from; i < to; i++) {
+    for (size_t i = 0; i < r->size; i++) {
         fmb_vec *v = &r->v[i];
         if (!v->z) {
             v->s[c] = v->s[r->width - 1];
             continue;
         }
-        fmb_status dropped = fmb_vec_drop_entry(v, r->width, c, mem);
+        fmb_status dropped = fmb_vec_drop_entry(v, r->width, c, r->mem);
         st = st == FMB_OK ? dropped : st;
     }
-    return st;
-}
-
-fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c)
-{
-    fmb_status st = fmb_rays_drop_entry_of(r, c, 0, r->size, r->mem);
     r->width--;
     return st;
 }

@@ -40,9 +40,6 @@ void fmb_rays_remove(fmb_rays *r, size_t i);
 fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits);
 /* Remove entry c of every vector; the last entry takes its place. Errors: MEMORY, LIMIT. */
 fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c);
-/* The same for rays `from` to `to` - 1 only: the width of these alone shrinks. Their memory is
- * charged to mem. */
-fmb_status fmb_rays_drop_entry_of(fmb_rays *r, size_t c, size_t from, size_t to, fmb_mem *mem);
 /* Bytes held by rays `from` to `to` - 1 outside the arena. */
 size_t fmb_rays_bytes_of(const fmb_rays *r, size_t from, size_t to);
 

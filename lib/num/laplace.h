@@ -8,16 +8,6 @@
 
 #define FMB_WORDS_INLINE static inline __attribute__((always_inline, unused))
 
-FMB_WORDS_INLINE fmb_u128 fmb_words_of(int64_t x)
-{
-    return fmb_u128_join(x < 0 ? UINT64_MAX : 0, (uint64_t)x);
-}
-
-FMB_WORDS_INLINE bool fmb_words_are_negative(int words, fmb_u128 a)
-{
-    return (words == 1 ? fmb_u128_low(a) : fmb_u128_high(a)) >> 63;
-}
-
 FMB_WORDS_INLINE bool fmb_words_are_zero(int words, fmb_u128 a)
 {
     return (fmb_u128_low(a) | (words == 1 ? 0 : fmb_u128_high(a))) == 0;
@@ -36,11 +26,6 @@ FMB_WORDS_INLINE fmb_u128 fmb_words_minus(int words, fmb_u128 a, fmb_u128 b)
 FMB_WORDS_INLINE fmb_u128 fmb_words_times(int words, fmb_u128 a, fmb_u128 b)
 {
     return words == 1 ? fmb_u128_of(fmb_u128_low(a) * fmb_u128_low(b)) : fmb_u128_times(a, b);
-}
-
-FMB_WORDS_INLINE fmb_u128 fmb_words_size(int words, fmb_u128 a)
-{
-    return fmb_words_are_negative(words, a) ? fmb_words_minus(words, fmb_u128_of(0), a) : a;
 }
 
 /* Laplace expansion: minor[set] for all sets of `rows` of the n columns become those of one row

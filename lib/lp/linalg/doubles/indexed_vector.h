@@ -54,12 +54,4 @@ static inline void fmb_indexed_vector_add(fmb_indexed_vector *v, size_t k, doubl
     v->at[k] = sum != 0 ? sum : FMB_NOTHING / 2;
 }
 
-/* Set entry k of a vector that is not full to x. */
-static inline void fmb_indexed_vector_put(fmb_indexed_vector *v, size_t k, double x)
-{
-    if (v->at[k] == 0)
-        v->index[v->count++] = (int)k;
-    v->at[k] = x != 0 ? x : FMB_NOTHING / 2;
-}
-
 #endif
