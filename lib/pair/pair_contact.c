@@ -71,9 +71,9 @@ static void ask_block(contact_query *x)
         for (int lane = b->lanes; lane < w->width; lane++)
             b->number[r * w->width + lane] = b->number[r * w->width];
     answer.good = 0;
-    w->packed->contact[x->k->dim - 2](&x->kind, b->number, &answer);
+    w->packed->contact(&x->kind, b->number, &answer);
     if (x->distances && answer.bits.apart & ((1U << b->lanes) - 1))
-        w->packed->distance[x->k->dim - 2](&x->kind, b->number, &far);
+        w->packed->distance(&x->kind, b->number, &far);
     for (int lane = 0; lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         read_lane(x, &answer, lane);

@@ -52,8 +52,8 @@ static void write_lanes(const fmb_pair_call *a, const fmb_block *b, unsigned lan
 /* The kernel of a stage; NULL: there is none. */
 static fmb_box_kernel *kernel_of_boxes(const fmb_pair_call *a, int stage, int kind)
 {
-    fmb_box_kernel *const(*of)[2][2][2] = a->kernels->box[stage - STAGE_BOX];
-    return a->k->options.tightest ? NULL : of[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
+    return a->k->options.tightest ? NULL
+                                  : a->kernels->box[stage - STAGE_BOX][a->k->dim - 2][kind / 4];
 }
 
 /* Find the box of pair i, which meets by a kernel. */
@@ -68,7 +68,8 @@ static fmb_status find_boxes_of_lanes(const fmb_pair_call *a, const fmb_block *b
                                       int kind, unsigned lanes)
 {
     _Alignas(64) double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
-    unsigned good = kernel_of_boxes(a, stage, kind)(b->number, answer);
+    unsigned good =
+        kernel_of_boxes(a, stage, kind)(kind / 4, kind / 2 % 2, kind % 2, b->number, answer);
     fmb_status st = FMB_OK;
     write_lanes(a, b, lanes & good, answer);
     for (lanes &= ~good; st == FMB_OK && lanes; lanes &= lanes - 1)
@@ -128,7 +129,7 @@ static fmb_status flush_verdicts(const fmb_pair_call *a, const fmb_block *b, int
 /* Decide the block of frames with any number of axes. */
 static fmb_status flush_flat_verdicts(const fmb_pair_call *a, const fmb_block *b)
 {
-    fmb_pair_bits bits = a->kernels->packed->flat[a->k->dim - 2](&a->k->flat, b->number);
+    fmb_pair_bits bits = a->kernels->packed->flat(&a->k->flat, b->number);
     for (int lane = 0; lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         bool meet = bits.meet >> lane & 1, apart = bits.apart >> lane & 1;
@@ -306,7 +307,7 @@ static fmb_status answer_plain_block(const fmb_pair_call *a, size_t from)
     b.lanes = a->kernels->width;
     for (int lane = 0; lane < b.lanes; lane++)
         b.pair[lane] = from + (size_t)lane;
-    a->kernels->packed->load[a->k->dim - 2](swap ? q : p, swap ? p : q, b.number);
+    a->kernels->packed->load(a->k->dim, swap ? q : p, swap ? p : q, b.number);
     return flush_verdicts(a, &b, 2 * (int)p->shape + (int)q->shape);
 }
 

@@ -13,7 +13,7 @@ FMB_INLINE fmb_pair_bits packed_ask(int dim, bool moves, int shapes, fmb_asked a
 {
     const sat_kind k = {dim, moves, shapes == FMB_PACKED_SIMPLICES, shapes != FMB_PACKED_CUBOIDS};
     if (shapes == FMB_PACKED_ANY)
-        return dim == 2 ? packed_ask_any_2d(kind, block) : packed_ask_any_3d(kind, block);
+        return packed_ask_any(kind, block);
     return dim == 2 ? sat_decide_flat(k, block) : sat_decide(k, asked, block);
 }
 

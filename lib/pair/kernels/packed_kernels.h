@@ -79,22 +79,22 @@ typedef struct fmb_packed_bits {
     uint8_t apart, meet;
 } fmb_packed_bits;
 
-/* The kernels of one width; all are indexed by D - 2. */
+/* The kernels of one width, in the plane and in space; `kind` knows in which. */
 typedef struct fmb_packed {
-    fmb_flat_kernel *flat[2];
-    fmb_contact_kernel *contact[2];
-    fmb_distance_kernel *distance[2];
+    fmb_flat_kernel *flat;
+    fmb_contact_kernel *contact;
+    fmb_distance_kernel *distance;
     /* One answer per block, of either kind; the other is NULL. */
-    void (*lengths[2])(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
-                       fmb_distance_lanes *distances);
+    void (*lengths)(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
+                    fmb_distance_lanes *distances);
     /* Are all verdicts known? */
-    bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out);
+    bool (*pairs)(int dim, const fmb_packed_pairs *x, fmb_verdict *out);
     /* The rows of a block of as many pairs as there are lanes, which stand still and have all axes.
      */
-    void (*load[2])(const fmb_frame *a, const fmb_frame *b, double *block);
+    void (*load)(int dim, const fmb_frame *a, const fmb_frame *b, double *block);
     /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */
-    void (*tiles[2])(const double *record, const uint32_t *index, size_t n, double *tiles);
-    void (*row[2])(const fmb_packed_row *x, fmb_packed_bits *out);
+    void (*tiles)(int dim, const double *record, const uint32_t *index, size_t n, double *tiles);
+    void (*row)(int dim, const fmb_packed_row *x, fmb_packed_bits *out);
     /* The largest of n numbers in the even and in the odd places; n is even. */
     void (*largest)(const uint32_t *index, size_t n, uint32_t out[2]);
     fmb_hull_kernels hulls;

@@ -37,25 +37,24 @@ typedef struct fmb_pair_bits {
 
 typedef fmb_pair_bits fmb_verdict_kernel(const double *block);
 
-/* For pairs that meet: rows of answers, D each: lower and upper ends in the world, lower and upper
- * ends in coordinates of B; then first and last time; then D for a witness. The bits of the lanes
- * where the ends contain the exact ones and exceed them by at most 1e-12 (coordinates of B, times),
- * or 1e-12 of the largest coordinate of a corner of A or B at t = 0 or 1 (world); other lanes mean
- * nothing. Static: the times are 0 and 1. */
-typedef unsigned fmb_box_kernel(const double *block, double *answer);
+/* For pairs that meet, of shapes a and b: rows of answers, D each: lower and upper ends in the
+ * world, lower and upper ends in coordinates of B; then first and last time; then D for a witness.
+ * The bits of the lanes where the ends contain the exact ones and exceed them by at most 1e-12
+ * (coordinates of B, times), or 1e-12 of the largest coordinate of a corner of A or B at t = 0 or 1
+ * (world); other lanes mean nothing. Static: the times are 0 and 1. */
+typedef unsigned fmb_box_kernel(bool moves, int a, int b, const double *block, double *answer);
 
 struct fmb_packed;        /* packed_kernels.h */
 struct fmb_minor_kernels; /* minors_kernels.h */
 
 typedef struct fmb_pair_kernels {
     int width;
-    const struct fmb_packed *packed;        /* for records of sets, of that width */
-    const struct fmb_minor_kernels *minors; /* the same in four to eight dimensions, or NULL */
-    /* All are [D - 2][moving][shape of A][shape of B]. */
-    fmb_verdict_kernel *verdict[2][2][2][2];
-    /* The first index is the level: each is slower, for lanes that the one before left open. NULL:
+    const struct fmb_packed *packed;         /* for records of sets, of that width */
+    const struct fmb_minor_kernels *minors;  /* the same in four to eight dimensions, or NULL */
+    fmb_verdict_kernel *verdict[2][2][2][2]; /* [D - 2][moving][shape of A][shape of B] */
+    /* [level][D - 2][moving]: each level is slower, for lanes that the one before left open. NULL:
      * there is no further level. */
-    fmb_box_kernel *box[FMB_BOX_LEVELS][2][2][2][2];
+    fmb_box_kernel *box[FMB_BOX_LEVELS][2][2];
 } fmb_pair_kernels;
 
 /* The kernels of that level, NULL if this processor (or compiler) lacks it. */

@@ -72,7 +72,7 @@ static void tile_eights(const fmb_pair *k, chunk *c, uint64_t wanted)
         if (k->dim > 3)
             k->wide->minors->tiles(k->dim, s->record, index, n, to);
         else
-            k->wide->packed->tiles[k->dim - 2](s->record, index, n, to);
+            k->wide->packed->tiles(k->dim, s->record, index, n, to);
     }
 }
 
@@ -122,7 +122,7 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
         if (k->dim > 3)
             k->wide->minors->row(k->dim, plan.what, &row, k->room, out + g);
         else
-            k->wide->packed->row[k->dim - 2](&row, out + g);
+            k->wide->packed->row(k->dim, &row, out + g);
     }
 }
 

@@ -27,13 +27,6 @@ static const fmb_pair_kernels *kernels_of(int width)
     return width == 0 ? NULL : fmb_pair_kernels_choose(level[width]);
 }
 
-static fmb_box_kernel *kernel_of(const fmb_pair_kernels *k, int level, const fmb_frame *p,
-                                 const fmb_frame *q)
-{
-    int d = p->dim - 2, moves = p->speed || q->speed;
-    return k->box[level][d][moves][p->shape][q->shape];
-}
-
 static void read_lane(const double *from, int width, int dim, box_answer *a)
 {
     memset(a, 0, sizeof *a);
@@ -52,15 +45,15 @@ static void read_lane(const double *from, int width, int dim, box_answer *a)
 static bool ask(const fmb_pair_kernels *k, int level, int lane, const fmb_frame *other,
                 const fmb_frame *p, const fmb_frame *q, box_answer *a)
 {
-    fmb_box_kernel *kernel = kernel_of(k, level, p, q);
+    const bool moves = p->speed || q->speed;
+    fmb_box_kernel *kernel = k->box[level][p->dim - 2][moves];
     double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
     fmb_block b = {.lanes = 0};
-    bool moves = p->speed || q->speed;
     if (!kernel)
         return false;
     for (int i = 0; i < k->width; i++)
         fmb_block_put(&b, k->width, i == lane ? p : other, i == lane ? q : other, moves, true, 0);
-    unsigned sure = kernel(b.number, answer);
+    unsigned sure = kernel(moves, (int)p->shape, (int)q->shape, b.number, answer);
     read_lane(answer + lane, k->width, p->dim, a);
     return sure >> lane & 1;
 }

@@ -353,18 +353,18 @@ static void claim_wide(const still_view *v, bool simplex, int i, lane y, int bac
 
 static void count_still_view(int dim, int host, int guest)
 {
-    const box_kind kind = {dim, false, false, {guest, host}}, *k = &kind; /* the guest is A */
+    const box_kind kind = {dim, false, false, {host, guest}}, *k = &kind;
     const still_frame a = some_frame(dim), b = some_frame(dim);
     lane shift[3];
     still_view v;
     for (int j = 0; j < dim; j++)
         shift[j] = lane{4 * some_number(), 0} - lane{4 * some_number(), 0};
-    still_view_of(k, 0, &a, &b, shift, &v);
+    still_view_of(k, &a, &b, shift, &v);
     kernel = flavour(counted_fused ? "still view, fused" : "still view", dim, false) +
              (host ? "simplex host, " : "cuboid host, ");
     const bool simplex = guest == FMB_SIMPLEX;
     for (int c = 0; c < (simplex ? dim + 1 : 1 << dim); c++)
-        for (int i = 0; i < box_values(k, 1); i++) {
+        for (int i = 0; i < box_values(k, STILL_HOST); i++) {
             lane y = v.start[i];
             for (int l = 0; l < dim; l++)
                 if (simplex ? c == l + 1 : c >> l & 1)
@@ -590,14 +590,14 @@ static void count_still_world(int dim, int one, int two)
     kernel = flavour("still box", dim, false);
     for (int guest = 0; guest < 2; guest++) {
         still_frame *f = &p.frame[guest];
-        lane from[3], y[1][BOX_VALUES] = {};
+        lane from[3];
         for (int j = 0; j < dim; j++)
             from[j] = p.place[j] + f->origin[j];
         largest = std::max(largest, farthest(dim, k->shape[guest], *f, from));
         for (int n = 0; n < dim; n++) { /* from the corner farthest from the origin */
             const int next = (n + 1) % dim, last = (n + 2) % dim;
             still_direction e;
-            still_direction_of(k, guest, &v, f, n, k->shape[guest] ? next : -1, &e);
+            still_direction_of(k, &v, f, n, k->shape[guest] ? next : -1, &e);
             lane start[3];
             for (int j = 0; j < dim; j++) {
                 start[j] = f->origin[j] + f->axes[next][j];
@@ -608,7 +608,7 @@ static void count_still_world(int dim, int one, int two)
             part.length = part.upper - part.lower;
             part.sum = part.upper + part.lower;
             part.some = true;
-            still_cover_parts(k, guest, &e, 1, &part, y, start, nullptr, nullptr, &h);
+            still_cover_parts(k, &e, 1, &part, start, nullptr, nullptr, &h);
         }
     }
     still_store(k, &p, &h, answer);

@@ -88,7 +88,7 @@ static fmb_pair_bits ask(const fmb_pair_kernels *w, const kind *k, const fmb_fra
         fmb_block b = {.lanes = 0};
         for (int lane = 0; lane < w->width; lane++)
             fmb_block_put_flat(&b, w->width, &p[i + lane], &q[i + lane], 0);
-        fmb_pair_bits some = w->packed->flat[k->dim - 2](&flat, b.number);
+        fmb_pair_bits some = w->packed->flat(&flat, b.number);
         out.apart |= some.apart << i;
         out.meet |= some.meet << i;
     }

@@ -146,6 +146,7 @@ FMB_BOX_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b,
     return lane_bits(lane_and(lane_and(known, near), lane_less(lane_of(0), h.points)));
 }
 
+/* A table of these is in pair_kernels.h. */
 #define BOX_ANY(name, dim, fine)                                                                   \
     static FMB_NEVER_CLONED unsigned name(bool moves, int a, int b, const double *block,           \
                                           double *answer)                                          \
@@ -153,74 +154,31 @@ FMB_BOX_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b,
         return box_kernel(dim, fine, moves, a, b, block, answer);                                  \
     }
 
-BOX_ANY(box_any_2, 2, false)
-BOX_ANY(box_any_2_fine, 2, true)
-BOX_ANY(box_any_3, 3, false)
-BOX_ANY(box_any_3_fine, 3, true)
+BOX_ANY(box_2, 2, false)
+BOX_ANY(box_2_fine, 2, true)
+BOX_ANY(box_3, 3, false)
+BOX_ANY(box_3_fine, 3, true)
 
-#define BOX_KERNEL(name, any, moves, a, b)                                                         \
-    static unsigned name(const double *block, double *answer)                                      \
+#define BOX_STILL(name, dim)                                                                       \
+    static unsigned name(bool moves, int a, int b, const double *block, double *answer)            \
     {                                                                                              \
-        return any(moves, a, b, block, answer);                                                    \
-    }
-#define BOX_KERNELS(name, any, moves)                                                              \
-    BOX_KERNEL(name##_cc, any, moves, FMB_CUBOID, FMB_CUBOID)                                      \
-    BOX_KERNEL(name##_ct, any, moves, FMB_CUBOID, FMB_SIMPLEX)                                     \
-    BOX_KERNEL(name##_tc, any, moves, FMB_SIMPLEX, FMB_CUBOID)                                     \
-    BOX_KERNEL(name##_tt, any, moves, FMB_SIMPLEX, FMB_SIMPLEX)
-
-BOX_KERNELS(box_2, box_any_2, false)
-BOX_KERNELS(box_2_moving, box_any_2, true)
-BOX_KERNELS(box_2_fine, box_any_2_fine, false)
-BOX_KERNELS(box_2_moving_fine, box_any_2_fine, true)
-BOX_KERNELS(box_3, box_any_3, false)
-BOX_KERNELS(box_3_fine, box_any_3_fine, false)
-BOX_KERNELS(box_3_moving, box_any_3, true)
-BOX_KERNELS(box_3_moving_fine, box_any_3_fine, true)
-
-#define STILL_KERNEL(name, dim, a, b)                                                              \
-    static unsigned name(const double *block, double *answer)                                      \
-    {                                                                                              \
-        return still_kernel(dim, a, b, block, answer);                                             \
-    }
-#define STILL_KERNELS(name, dim)                                                                   \
-    STILL_KERNEL(name##_cc, dim, FMB_CUBOID, FMB_CUBOID)                                           \
-    STILL_KERNEL(name##_ct, dim, FMB_CUBOID, FMB_SIMPLEX)                                          \
-    STILL_KERNEL(name##_tc, dim, FMB_SIMPLEX, FMB_CUBOID)                                          \
-    STILL_KERNEL(name##_tt, dim, FMB_SIMPLEX, FMB_SIMPLEX)
-
-STILL_KERNELS(still_2, 2)
-STILL_KERNELS(still_3, 3)
-
-#define BOX_SHAPES(name)                                                                           \
-    {                                                                                              \
-        {name##_cc, name##_ct},                                                                    \
-        {                                                                                          \
-            name##_tc, name##_tt                                                                   \
-        }                                                                                          \
+        (void)moves;                                                                               \
+        if (STILL_APART(dim))                                                                      \
+            return still_kernel(dim, a, b, block, answer);                                         \
+        if (a == FMB_CUBOID)                                                                       \
+            return b == FMB_CUBOID ? still_kernel(dim, FMB_CUBOID, FMB_CUBOID, block, answer)      \
+                                   : still_kernel(dim, FMB_CUBOID, FMB_SIMPLEX, block, answer);    \
+        return b == FMB_CUBOID ? still_kernel(dim, FMB_SIMPLEX, FMB_CUBOID, block, answer)         \
+                               : still_kernel(dim, FMB_SIMPLEX, FMB_SIMPLEX, block, answer);       \
     }
 
-#define BOX_DIMS(still_2, moving_2, still_3, moving_3)                                             \
-    {                                                                                              \
-        {still_2, moving_2},                                                                       \
-        {                                                                                          \
-            still_3, moving_3                                                                      \
-        }                                                                                          \
-    }
-#define BOX_NONE                                                                                   \
-    {                                                                                              \
-        {                                                                                          \
-            NULL                                                                                   \
-        }                                                                                          \
-    }
+BOX_STILL(still_2, 2)
+BOX_STILL(still_3, 3)
 
 #define FMB_BOXES                                                                                  \
     {                                                                                              \
-        BOX_DIMS(BOX_SHAPES(still_2), BOX_SHAPES(box_2_moving), BOX_SHAPES(still_3),               \
-                 BOX_SHAPES(box_3_moving)),                                                        \
-            BOX_DIMS(BOX_SHAPES(box_2), BOX_SHAPES(box_2_moving_fine), BOX_SHAPES(box_3),          \
-                     BOX_SHAPES(box_3_moving_fine)),                                               \
-            BOX_DIMS(BOX_SHAPES(box_2_fine), BOX_NONE, BOX_SHAPES(box_3_fine), BOX_NONE),          \
+        {{still_2, box_2}, {still_3, box_3}}, {{box_2, box_2_fine}, {box_3, box_3_fine}},          \
+            {{box_2_fine, NULL}, {box_3_fine, NULL}},                                              \
     }
 
 #endif

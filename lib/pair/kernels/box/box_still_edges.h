@@ -43,12 +43,11 @@ typedef struct still_hull {
 } still_hull;
 
 /* Along axis `ahead`; of a simplex from the end of axis `back`, if that is not -1. */
-FMB_BOX_INLINE void still_direction_of(const box_kind *k, int guest, const still_view *v,
-                                       const still_frame *f, int ahead, int back,
-                                       still_direction *e)
+FMB_BOX_INLINE void still_direction_of(const box_kind *k, const still_view *v, const still_frame *f,
+                                       int ahead, int back, still_direction *e)
 {
     FMB_UNROLL
-    for (int i = 0; i < box_values(k, 1 - guest); i++) {
+    for (int i = 0; i < box_values(k, STILL_HOST); i++) {
         e->d[i] = v->edge[ahead][i];
         if (back >= 0)
             e->d[i] = e->d[i] - v->edge[back][i];
@@ -63,11 +62,11 @@ FMB_BOX_INLINE void still_direction_of(const box_kind *k, int guest, const still
     }
 }
 
-FMB_BOX_INLINE void still_slabs_of(const box_kind *k, int host, const still_view *v, const lane *d,
+FMB_BOX_INLINE void still_slabs_of(const box_kind *k, const still_view *v, const lane *d,
                                    still_slabs *b)
 {
     FMB_UNROLL
-    for (int i = 0; i < box_values(k, host); i++) {
+    for (int i = 0; i < box_values(k, STILL_HOST); i++) {
         lane inverse = lane_of(1) / lane_max_abs(lane_of(0x1p-10) * v->wide[i], d[i]);
         b->margin[i] = v->wide[i] * inverse;
         b->r[i] = lane_times_sign(inverse, d[i]);
@@ -77,10 +76,10 @@ FMB_BOX_INLINE void still_slabs_of(const box_kind *k, int host, const still_view
 }
 
 /* Clip the parameters of an edge by value i of the host. */
-FMB_BOX_INLINE void still_cut_segment(const box_kind *k, int host, const still_slabs *b, int i,
-                                      lane y, still_part *p)
+FMB_BOX_INLINE void still_cut_segment(const box_kind *k, const still_slabs *b, int i, lane y,
+                                      still_part *p)
 {
-    const bool simplex = k->shape[host] == FMB_SIMPLEX;
+    const bool simplex = k->shape[STILL_HOST] == FMB_SIMPLEX;
     lane lower = lane_fnma(y, b->r[i], lane_of(0)), upper = lower;
     if (!simplex) {
         lower = lane_fnms(y, b->r[i], b->room[i]);
@@ -92,13 +91,12 @@ FMB_BOX_INLINE void still_cut_segment(const box_kind *k, int host, const still_s
     p->upper = simplex ? lane_pick(b->falls[i], upper, p->upper) : upper;
 }
 
-FMB_BOX_INLINE still_part still_clip_segment(const box_kind *k, int host, const still_slabs *b,
-                                             const lane *y)
+FMB_BOX_INLINE still_part still_clip_segment(const box_kind *k, const still_slabs *b, const lane *y)
 {
     still_part p = {.lower = lane_of(0), .upper = lane_of(1)};
     FMB_UNROLL
-    for (int i = 0; i < box_values(k, host); i++)
-        still_cut_segment(k, host, b, i, y[i], &p);
+    for (int i = 0; i < box_values(k, STILL_HOST); i++)
+        still_cut_segment(k, b, i, y[i], &p);
     p.length = p.upper - p.lower;
     p.some = lane_less(lane_of(0), p.length);
     p.sum = lane_pick(p.some, p.upper + p.lower, lane_of(NAN));
@@ -131,13 +129,12 @@ FMB_BOX_INLINE lane still_cover(const still_part *p, lane from, lane along, lane
     return middle;
 }
 
-/* Parts of edges in one direction, from corners with values y: the first is at that place, further
- * ones are steps from there on, one if bit 0 of their number is set, two if bit 1. One coordinate
- * after the other, as there are not enough registers for all. */
-FMB_BOX_INLINE void still_cover_parts(const box_kind *k, int guest, const still_direction *e,
-                                      int corners, const still_part *p, lane y[][BOX_VALUES],
-                                      const lane *first, const lane *one, const lane *two,
-                                      still_hull *h)
+/* Parts of edges in one direction, from corners: the first is at that place, further ones are steps
+ * from there on, one if bit 0 of their number is set, two if bit 1. One coordinate after the other,
+ * as there are not enough registers for all. */
+FMB_BOX_INLINE void still_cover_parts(const box_kind *k, const still_direction *e, int corners,
+                                      const still_part *p, const lane *first, const lane *one,
+                                      const lane *two, still_hull *h)
 {
     FMB_UNROLL
     for (int c = 0; c < corners; c++)
@@ -155,8 +152,15 @@ FMB_BOX_INLINE void still_cover_parts(const box_kind *k, int guest, const still_
                 still_cover(&p[c], from, e->along[j], e->far[j], &h->world[0][j], &h->world[1][j]);
             h->witness[j] = lane_pick(p[c].some, middle, h->witness[j]);
         }
-        if (guest == 1)
-            continue;
+    }
+}
+
+/* Parts of edges of A, from corners with values y in B. */
+FMB_BOX_INLINE void still_cover_values(const box_kind *k, const still_direction *e, int corners,
+                                       const still_part *p, lane y[][BOX_VALUES], still_hull *h)
+{
+    FMB_UNROLL
+    for (int j = 0; j < k->dim; j++) {
         lane along = lane_of(0.5) * e->d[j], far = lane_abs(along);
         FMB_UNROLL
         for (int c = 0; c < corners; c++)

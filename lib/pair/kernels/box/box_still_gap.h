@@ -28,21 +28,21 @@ typedef struct still_limits {
 } still_limits;
 
 /* The least |y_i|, or |y_i^2 - half^2|, over these corners. */
-FMB_BOX_INLINE lane still_distance(const box_kind *k, int host, lane half, int corners,
-                                   lane y[][BOX_VALUES], int i)
+FMB_BOX_INLINE lane still_distance(const box_kind *k, lane half, int corners, lane y[][BOX_VALUES],
+                                   int i)
 {
     lane least = lane_of(HUGE_VAL);
     FMB_UNROLL
     for (int c = 0; c < corners; c++) {
         lane from = y[c][i];
-        if (k->shape[host] == FMB_CUBOID)
+        if (k->shape[STILL_HOST] == FMB_CUBOID)
             from = lane_abs(from) - half;
         least = lane_min_abs(least, from);
     }
     return least;
 }
 
-FMB_BOX_INLINE lane still_weight(const box_kind *k, int guest, const still_direction *e,
+FMB_BOX_INLINE lane still_weight(const box_kind *k, bool own, const still_direction *e,
                                  const still_limits *limit)
 {
     lane far = e->far[0], most = lane_abs(e->d[0]);
@@ -52,25 +52,24 @@ FMB_BOX_INLINE lane still_weight(const box_kind *k, int guest, const still_direc
         most = lane_max_abs(most, e->d[j]);
     }
     lane world = (far + far) * limit->world;
-    if (guest == 1)
+    if (own)
         return lane_max(world, lane_of(1 / 9.9e-13));
     return lane_max(world, lane_max(most * limit->guest, lane_of(0x1p38)));
 }
 
 /* A direction whose edges start at corners with values y. */
-FMB_BOX_INLINE void still_measure(const box_kind *k, int guest, const still_view *v,
+FMB_BOX_INLINE void still_measure(const box_kind *k, bool own, const still_view *v,
                                   const still_direction *e, const still_slabs *b, int corners,
                                   lane y[][BOX_VALUES], const still_limits *limit, still_hull *h)
 {
-    const int host = 1 - guest;
     lane margin = lane_of(0);
     FMB_UNROLL
-    for (int i = 0; i < box_values(k, host); i++) {
+    for (int i = 0; i < box_values(k, STILL_HOST); i++) {
         lane near = lane_fma(lane_of(3), v->wide[i], lane_abs(e->d[i]));
-        lane_mask cuts = lane_less(still_distance(k, host, v->half, corners, y, i), near);
+        lane_mask cuts = lane_less(still_distance(k, v->half, corners, y, i), near);
         margin = lane_max_where(cuts, margin, b->margin[i]);
     }
-    h->excess = lane_max((margin + margin) * still_weight(k, guest, e, limit), h->excess);
+    h->excess = lane_max((margin + margin) * still_weight(k, own, e, limit), h->excess);
 }
 
 FMB_BOX_INLINE lane still_most(int n, const lane *x)

@@ -16,6 +16,9 @@
 
 #include "pair/kernels/box/box_view.h"
 
+/* The places of the shapes in a box_kind. */
+enum { STILL_HOST, STILL_GUEST };
+
 /* One frame of a block, from the origin of A. */
 typedef struct still_frame {
     lane origin[3], axes[3][3];
@@ -93,9 +96,9 @@ typedef struct still_size {
     lane corner, edge, sum; /* M_i, E_i, F_i */
 } still_size;
 
-FMB_BOX_INLINE still_size still_size_of(const box_kind *k, int guest, const still_view *v, int i)
+FMB_BOX_INLINE still_size still_size_of(const box_kind *k, const still_view *v, int i)
 {
-    const bool simplex = k->shape[guest] == FMB_SIMPLEX;
+    const bool simplex = k->shape[STILL_GUEST] == FMB_SIMPLEX;
     const lane half = lane_of(0.5), start = v->start[i];
     lane total = lane_of(0), sum = total, longest = total, most = lane_abs(start);
     FMB_UNROLL
@@ -114,19 +117,18 @@ FMB_BOX_INLINE still_size still_size_of(const box_kind *k, int guest, const stil
 }
 
 /* From the values to numbers y_i, and their bounds; all: S sum_j W_ij X_j + S D for i < dim. */
-FMB_BOX_INLINE void still_bound(const box_kind *k, int guest, const lane *all, lane off,
-                                still_view *v)
+FMB_BOX_INLINE void still_bound(const box_kind *k, const lane *all, lane off, still_view *v)
 {
-    const bool simplex = k->shape[1 - guest] == FMB_SIMPLEX;
+    const bool simplex = k->shape[STILL_HOST] == FMB_SIMPLEX;
     const int dim = k->dim;
     const lane u = lane_of(1.01 * 0x1p-53);
     lane base = lane_of(6) * v->half, others = lane_fma(lane_of(3), v->size, off),
          rest = lane_of(0);
     FMB_UNROLL
-    for (int i = 0; i < box_values(k, 1 - guest); i++) {
+    for (int i = 0; i < box_values(k, STILL_HOST); i++) {
         if (!simplex)
             v->start[i] = v->start[i] - v->half;
-        still_size s = still_size_of(k, guest, v, i);
+        still_size s = still_size_of(k, v, i);
         lane wide = lane_fma(lane_of(6), s.corner, lane_fma(lane_of(3), s.edge, base));
         if (i < dim) {
             wide = wide + all[i];
@@ -146,8 +148,8 @@ FMB_BOX_INLINE void still_bound(const box_kind *k, int guest, const lane *all, l
  * of numbers up to 2^40 that underflow change a value by less than 2^-1025, and wide_i is at least
  * 2^-253. As size is at least 2^-252 where it is known, quotients by it and by |d_i|, which is
  * taken to be at least 2^-10 wide_i, are finite. */
-FMB_BOX_INLINE void still_view_of(const box_kind *k, int guest, const still_frame *a,
-                                  const still_frame *b, const lane *shift, still_view *v)
+FMB_BOX_INLINE void still_view_of(const box_kind *k, const still_frame *a, const still_frame *b,
+                                  const lane *shift, still_view *v)
 {
     const int dim = k->dim;
     lane n[3][3], rough[3][3], x[3], all[3];
@@ -171,9 +173,9 @@ FMB_BOX_INLINE void still_view_of(const box_kind *k, int guest, const still_fram
             v->edge[l][i] = still_dot(dim, n[i], b->axes[l]);
         all[i] = still_dot_abs(dim, rough[i], x) + off;
     }
-    if (k->shape[1 - guest] == FMB_SIMPLEX)
+    if (k->shape[STILL_HOST] == FMB_SIMPLEX)
         still_last_value(dim, v);
-    still_bound(k, guest, all, off, v);
+    still_bound(k, all, off, v);
 }
 
 #endif

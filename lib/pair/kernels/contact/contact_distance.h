@@ -85,22 +85,13 @@ FMB_INLINE void distance_support_of(int dim, const fmb_flat_kind *k, const flat_
 }
 
 /* Used in three places; not inlined, as it is long. */
-static FMB_NEVER_CLONED void distance_support_2d(const fmb_flat_kind *k, const flat_pair *p,
-                                                 const lane *w, distance_vertex *out)
+static FMB_NEVER_CLONED void distance_support(int dim, const fmb_flat_kind *k, const flat_pair *p,
+                                              const lane *w, distance_vertex *out)
 {
-    distance_support_of(2, k, p, w, out);
-}
-
-static FMB_NEVER_CLONED void distance_support_3d(const fmb_flat_kind *k, const flat_pair *p,
-                                                 const lane *w, distance_vertex *out)
-{
-    distance_support_of(3, k, p, w, out);
-}
-
-FMB_INLINE void distance_support(int dim, const fmb_flat_kind *k, const flat_pair *p, const lane *w,
-                                 distance_vertex *out)
-{
-    (dim == 2 ? distance_support_2d : distance_support_3d)(k, p, w, out);
+    if (dim == 2)
+        distance_support_of(2, k, p, w, out);
+    else
+        distance_support_of(3, k, p, w, out);
 }
 
 /* Update the lower bound of the distance by the farthest vertex along -w. */
@@ -334,16 +325,13 @@ FMB_INLINE void fmb_distance_of_block(int dim, const fmb_flat_kind *k, const dou
     distance_write(dim, k, &p, &s, out);
 }
 
-static FMB_NEVER_CLONED void distance_ask_2d(const fmb_flat_kind *k, const double *block,
-                                             fmb_distance_lanes *out)
+static FMB_NEVER_CLONED void distance_ask(const fmb_flat_kind *k, const double *block,
+                                          fmb_distance_lanes *out)
 {
-    fmb_distance_of_block(2, k, block, out);
-}
-
-static FMB_NEVER_CLONED void distance_ask_3d(const fmb_flat_kind *k, const double *block,
-                                             fmb_distance_lanes *out)
-{
-    fmb_distance_of_block(3, k, block, out);
+    if (k->dim == 2)
+        fmb_distance_of_block(2, k, block, out);
+    else
+        fmb_distance_of_block(3, k, block, out);
 }
 
 #endif

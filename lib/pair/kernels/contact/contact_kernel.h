@@ -175,44 +175,24 @@ FMB_INLINE void fmb_contact_pass(int dim, bool cuboids, const fmb_flat_kind *k, 
     contact_write(dim, &least, length, out);
 }
 
-static __attribute__((noinline)) void contact_any_2d(const fmb_flat_kind *k, const double *block,
-                                                     fmb_contact_lanes *out)
-{
-    fmb_contact_pass(2, false, k, block, out);
-}
-
-static __attribute__((noinline)) void contact_any_3d(const fmb_flat_kind *k, const double *block,
-                                                     fmb_contact_lanes *out)
-{
-    fmb_contact_pass(3, false, k, block, out);
-}
-
-static __attribute__((noinline)) void
-contact_cuboids_2d(const fmb_flat_kind *k, const double *block, fmb_contact_lanes *out)
-{
-    fmb_contact_pass(2, true, k, block, out);
-}
-
-static __attribute__((noinline)) void
-contact_cuboids_3d(const fmb_flat_kind *k, const double *block, fmb_contact_lanes *out)
-{
-    fmb_contact_pass(3, true, k, block, out);
-}
-
 static inline bool contact_is_of_cuboids(const fmb_flat_kind *k)
 {
     return !k->moves && !k->side[0].simplex && !k->side[1].simplex && k->side[0].naxes == k->dim &&
            k->side[1].naxes == k->dim;
 }
 
-static void contact_ask_2d(const fmb_flat_kind *k, const double *block, fmb_contact_lanes *out)
+static FMB_NEVER_CLONED void contact_ask(const fmb_flat_kind *k, const double *block,
+                                         fmb_contact_lanes *out)
 {
-    (contact_is_of_cuboids(k) ? contact_cuboids_2d : contact_any_2d)(k, block, out);
-}
-
-static void contact_ask_3d(const fmb_flat_kind *k, const double *block, fmb_contact_lanes *out)
-{
-    (contact_is_of_cuboids(k) ? contact_cuboids_3d : contact_any_3d)(k, block, out);
+    const bool cuboids = contact_is_of_cuboids(k);
+    if (k->dim == 2 && cuboids)
+        fmb_contact_pass(2, true, k, block, out);
+    else if (k->dim == 2)
+        fmb_contact_pass(2, false, k, block, out);
+    else if (cuboids)
+        fmb_contact_pass(3, true, k, block, out);
+    else
+        fmb_contact_pass(3, false, k, block, out);
 }
 
 #endif

@@ -148,14 +148,11 @@ FMB_INLINE bool packed_pairs_of_shapes(int dim, bool moves, const fmb_packed_pai
     }
 }
 
-static bool packed_pairs_2d(const fmb_packed_pairs *x, fmb_verdict *out)
+static bool packed_pairs_of_dim(int dim, const fmb_packed_pairs *x, fmb_verdict *out)
 {
-    return x->moves ? packed_pairs_of_shapes(2, true, x, out)
-                    : packed_pairs_of_shapes(2, false, x, out);
-}
-
-static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
-{
+    if (dim == 2)
+        return x->moves ? packed_pairs_of_shapes(2, true, x, out)
+                        : packed_pairs_of_shapes(2, false, x, out);
     return x->moves ? packed_pairs_of_shapes(3, true, x, out)
                     : packed_pairs_of_shapes(3, false, x, out);
 }
@@ -163,8 +160,8 @@ static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
 /* ---- depths and distances of pairs by index -------------------------------------------------- */
 
 /* One of the two, an answer a block; the other is NULL. */
-FMB_INLINE void packed_lengths(int dim, const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
-                               fmb_distance_lanes *distances)
+FMB_INLINE void packed_lengths_of(int dim, const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
+                                  fmb_distance_lanes *distances)
 {
     _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
     const size_t ahead = PACKED_AHEAD * FMB_LANES - FMB_LANES;
@@ -179,27 +176,24 @@ FMB_INLINE void packed_lengths(int dim, const fmb_packed_pairs *x, fmb_contact_l
         pack_records(dim, true, at[1][(i - ahead) / FMB_LANES % PACKED_AHEAD], b);
         pack_block(dim, true, a, b, block);
         if (contacts)
-            (dim == 2 ? contact_ask_2d : contact_ask_3d)(x->kind, block, contacts++);
+            contact_ask(x->kind, block, contacts++);
         else
-            (dim == 2 ? distance_ask_2d : distance_ask_3d)(x->kind, block, distances++);
+            distance_ask(x->kind, block, distances++);
     }
 }
 
-static void packed_lengths_2d(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
-                              fmb_distance_lanes *distances)
+static void packed_lengths(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
+                           fmb_distance_lanes *distances)
 {
-    packed_lengths(2, x, contacts, distances);
-}
-
-static void packed_lengths_3d(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
-                              fmb_distance_lanes *distances)
-{
-    packed_lengths(3, x, contacts, distances);
+    if (x->kind->dim == 2)
+        packed_lengths_of(2, x, contacts, distances);
+    else
+        packed_lengths_of(3, x, contacts, distances);
 }
 
 /* ---- frames by pointers ---------------------------------------------------------------------- */
 
-FMB_INLINE void packed_load(int dim, const fmb_frame *a, const fmb_frame *b, double *block)
+FMB_INLINE void packed_load_of(int dim, const fmb_frame *a, const fmb_frame *b, double *block)
 {
     const double *place[2][FMB_LANES], *axes[2][FMB_LANES];
     lane origin[2][3], of[9];
@@ -221,21 +215,19 @@ FMB_INLINE void packed_load(int dim, const fmb_frame *a, const fmb_frame *b, dou
         lane_store(block + j * FMB_LANES, origin[1][j] - origin[0][j]);
 }
 
-static void packed_load_2d(const fmb_frame *a, const fmb_frame *b, double *block)
+static void packed_load(int dim, const fmb_frame *a, const fmb_frame *b, double *block)
 {
-    packed_load(2, a, b, block);
-}
-
-static void packed_load_3d(const fmb_frame *a, const fmb_frame *b, double *block)
-{
-    packed_load(3, a, b, block);
+    if (dim == 2)
+        packed_load_of(2, a, b, block);
+    else
+        packed_load_of(3, a, b, block);
 }
 
 /* ---- one against many ------------------------------------------------------------------------ */
 
 /* Tiles of FMB_LANES frames: all rows of their records, lane by lane. */
-FMB_INLINE void packed_tiles(int dim, const double *record, const uint32_t *index, size_t n,
-                             double *tiles)
+FMB_INLINE void packed_tiles_of(int dim, const double *record, const uint32_t *index, size_t n,
+                                double *tiles)
 {
     const size_t rows = count_record(dim), whole = (n + 7) / 8 * 8;
     for (size_t i = 0; i < whole; i += FMB_LANES, tiles += rows * FMB_LANES) {
@@ -250,14 +242,13 @@ FMB_INLINE void packed_tiles(int dim, const double *record, const uint32_t *inde
     }
 }
 
-static void packed_tiles_2d(const double *record, const uint32_t *index, size_t n, double *tiles)
+static void packed_tiles(int dim, const double *record, const uint32_t *index, size_t n,
+                         double *tiles)
 {
-    packed_tiles(2, record, index, n, tiles);
-}
-
-static void packed_tiles_3d(const double *record, const uint32_t *index, size_t n, double *tiles)
-{
-    packed_tiles(3, record, index, n, tiles);
+    if (dim == 2)
+        packed_tiles_of(2, record, index, n, tiles);
+    else
+        packed_tiles_of(3, record, index, n, tiles);
 }
 
 /* FMB_LANES frames of a row. */
@@ -388,17 +379,13 @@ FMB_INLINE void packed_row_of_shapes(int dim, bool moves, const fmb_packed_row *
     }
 }
 
-static void packed_row_2d(const fmb_packed_row *x, fmb_packed_bits *out)
+static void packed_row_of_dim(int dim, const fmb_packed_row *x, fmb_packed_bits *out)
 {
-    if (x->moves)
+    if (dim == 2 && x->moves)
         packed_row_of_shapes(2, true, x, out);
-    else
+    else if (dim == 2)
         packed_row_of_shapes(2, false, x, out);
-}
-
-static void packed_row_3d(const fmb_packed_row *x, fmb_packed_bits *out)
-{
-    if (x->moves)
+    else if (x->moves)
         packed_row_of_shapes(3, true, x, out);
     else
         packed_row_of_shapes(3, false, x, out);
@@ -422,14 +409,14 @@ static void packed_largest(const uint32_t *index, size_t n, uint32_t out[2])
 }
 
 extern const fmb_packed FMB_PACKED_TABLE;
-const fmb_packed FMB_PACKED_TABLE = {.flat = {packed_ask_any_2d, packed_ask_any_3d},
-                                     .contact = {contact_ask_2d, contact_ask_3d},
-                                     .lengths = {packed_lengths_2d, packed_lengths_3d},
-                                     .distance = {distance_ask_2d, distance_ask_3d},
-                                     .pairs = {packed_pairs_2d, packed_pairs_3d},
-                                     .load = {packed_load_2d, packed_load_3d},
-                                     .tiles = {packed_tiles_2d, packed_tiles_3d},
-                                     .row = {packed_row_2d, packed_row_3d},
+const fmb_packed FMB_PACKED_TABLE = {.flat = packed_ask_any,
+                                     .contact = contact_ask,
+                                     .lengths = packed_lengths,
+                                     .distance = distance_ask,
+                                     .pairs = packed_pairs_of_dim,
+                                     .load = packed_load,
+                                     .tiles = packed_tiles,
+                                     .row = packed_row_of_dim,
                                      .largest = packed_largest,
                                      .hulls = {contact_farthest, contact_place}};
 

@@ -6,16 +6,9 @@
 #include "pair/kernels/verdict/verdict_flat.h"
 
 /* Not inlined into the loops over pairs, as it has its own loops over the kind. */
-#define PACKED_APART static __attribute__((noinline))
-
-PACKED_APART fmb_pair_bits packed_ask_any_2d(const fmb_flat_kind *kind, const double *block)
+static FMB_NEVER_CLONED fmb_pair_bits packed_ask_any(const fmb_flat_kind *kind, const double *block)
 {
-    return fmb_flat(2, kind, block);
-}
-
-PACKED_APART fmb_pair_bits packed_ask_any_3d(const fmb_flat_kind *kind, const double *block)
-{
-    return fmb_flat(3, kind, block);
+    return kind->dim == 2 ? fmb_flat(2, kind, block) : fmb_flat(3, kind, block);
 }
 
 #endif

@@ -12,7 +12,7 @@ FMB_INLINE fmb_pair_bits packed_ask(int dim, bool moves, int shapes, fmb_asked a
 {
     const bool simplices = shapes == FMB_PACKED_SIMPLICES;
     if (shapes == FMB_PACKED_ANY)
-        return dim == 2 ? packed_ask_any_2d(kind, block) : packed_ask_any_3d(kind, block);
+        return packed_ask_any(kind, block);
     if (shapes == FMB_PACKED_CUBOIDS)
         return dim == 2 ? fmb_cuboids_2d(block, moves) : fmb_cuboids_3d(block, moves, asked);
     return dim == 2 ? fmb_simplices_2d(block, moves, simplices)

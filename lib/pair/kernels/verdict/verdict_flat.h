@@ -81,19 +81,13 @@ FMB_INLINE void flat_load_of(int dim, const fmb_flat_kind *k, const double *bloc
 }
 
 /* Not inlined, as it is long and used by many kernels. */
-static FMB_NEVER_CLONED void flat_load_2d(const fmb_flat_kind *k, const double *block, flat_pair *p)
+static FMB_NEVER_CLONED void flat_load(int dim, const fmb_flat_kind *k, const double *block,
+                                       flat_pair *p)
 {
-    flat_load_of(2, k, block, p);
-}
-
-static FMB_NEVER_CLONED void flat_load_3d(const fmb_flat_kind *k, const double *block, flat_pair *p)
-{
-    flat_load_of(3, k, block, p);
-}
-
-FMB_INLINE void flat_load(int dim, const fmb_flat_kind *k, const double *block, flat_pair *p)
-{
-    (dim == 2 ? flat_load_2d : flat_load_3d)(k, block, p);
+    if (dim == 2)
+        flat_load_of(2, k, block, p);
+    else
+        flat_load_of(3, k, block, p);
 }
 
 /* The interval of one side along the normal n. */
