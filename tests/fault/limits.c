@@ -3,6 +3,8 @@
 #include <criterion/criterion.h>
 #include <string.h>
 
+#include <fmb/io.h>
+
 #include "counted_clock.h"
 #include "property/random/rows.h"
 #include "samples.h"
@@ -99,10 +101,9 @@ Test(limits, bytes_dd)
     every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_DD, 2);
 }
 
-/* A projection that is walked around: looser and looser limits on bytes, until it is done. */
-Test(limits, polygon)
+/* A projection under looser and looser limits on bytes, until it is done. */
+static size_t count_tight_limits(const fmb_system *s)
 {
-    fmb_system *s = sample_hard(5, 18, NULL);
     char truth[VERB_ANSWER] = "";
     fmb_options o = options(FMB_METHOD_AUTO);
     fmb_result r = {.size = sizeof r};
@@ -116,7 +117,35 @@ Test(limits, polygon)
         k += 1 + k * WATCHED / 512;
         set_bytes(&o, k);
     }
-    cr_expect_gt(tries, 100 / WATCHED);
+    return tries;
+}
+
+/* One that is walked around. */
+Test(limits, polygon)
+{
+    fmb_system *s = sample_hard(5, 18, NULL);
+    cr_expect_gt(count_tight_limits(s), 100 / WATCHED);
+    fmb_system_free(s);
+}
+
+/* The limit comes when all is known, and rows are claimed one by one. */
+Test(limits, polygon_of_long_rows)
+{
+    static const char ROWS[] = "vars: x z y\n"
+                               "2x+2y-z<=2341020015902972/1000000007\n"
+                               "-3x+3y+z<=160465001607423/1000000007\n"
+                               "3x<=1675531\n"
+                               "x+3y+3z<=2394506018214046/1000000007\n"
+                               "-2x-y-3z<=-1729016013555616/1000000007\n"
+                               "-y-3z<=-611994005736462/1000000007\n"
+                               "-3y-z<=-1835990013336098/1000000007\n"
+                               "-2x+3y<=718977\n"
+                               "3z<=4001452532/1000000007\n"
+                               "2x-2y-2z<=-106975001717161/1000000007\n";
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT};
+    fmb_system *s = NULL;
+    must(fmb_system_parse(ROWS, strlen(ROWS), &how, &s, NULL));
+    cr_expect_gt(count_tight_limits(s), 100 / WATCHED);
     fmb_system_free(s);
 }
 

@@ -22,6 +22,7 @@ struct fmb_queries {
     mpz_t *z;    /* [n + 1] scratch: a row of the part */
     fmb_vec row; /* scratch: a row of the part */
     bool begun;  /* s is initialized */
+    bool put;    /* its rows were to be appended, and its hull is cleared */
 };
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -316,6 +317,7 @@ fmb_status fmb_queries_put(fmb_queries *h, fmb_system *out, fmb_status st)
     if (put != FMB_OK)
         return put;
     fmb_facets_clear(&h->s.hull);
+    h->put = true;
     put = st == FMB_LIMIT ? put_proved_rows_and_points(h, out) : put_all_support_rows(h, out);
     return put == FMB_OK ? st : put;
 }
@@ -352,7 +354,7 @@ static void end_as_before(fmb_query *q, fmb_stop why)
 fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out)
 {
     fmb_stop why;
-    if (!h->begun || h->q->put_out)
+    if (!h->begun || h->put)
         return FMB_OK;
     if (h->s.ended || !go_on_behind_limit(h->q, &why))
         return put_proved_rows_and_points(h, out);
