@@ -58,19 +58,13 @@ static fmb_status read_counted_list(fmb_cursor *c, fmb_ine_list *list, const cha
 
 /* ---- options --------------------------------------------------------------------------------- */
 
-static fmb_status take_linearity_list(fmb_ine *f, const char *line)
+static fmb_status take_row_list(fmb_ine *f, const char *line, int strict)
 {
     (void)line;
-    return read_counted_list(f->c, &f->linear, "a row number");
+    return read_counted_list(f->c, strict ? &f->strict : &f->linear, "a row number");
 }
 
-static fmb_status take_strict_list(fmb_ine *f, const char *line)
-{
-    (void)line;
-    return read_counted_list(f->c, &f->strict, "a row number");
-}
-
-static fmb_status take_variable_list(fmb_ine *f, const char *line, bool keep)
+static fmb_status take_variable_list(fmb_ine *f, const char *line, int keep)
 {
     if (f->asked)
         return fmb_io_fail(f->c, line, "expected one 'project' or 'eliminate' line, found another");
@@ -79,77 +73,53 @@ static fmb_status take_variable_list(fmb_ine *f, const char *line, bool keep)
     return read_counted_list(f->c, &f->marks, "the number of a variable");
 }
 
-static fmb_status take_project_line(fmb_ine *f, const char *line)
+static fmb_status ignore_nonnegative(fmb_ine *f, const char *line, int unused)
 {
-    return take_variable_list(f, line, true);
-}
-
-static fmb_status take_eliminate_line(fmb_ine *f, const char *line)
-{
-    return take_variable_list(f, line, false);
-}
-
-static fmb_status ignore_nonnegative(fmb_ine *f, const char *line)
-{
+    (void)unused;
     fmb_io_warn(f->c, line, "ignored: 'nonnegative'; only the rows of the matrix count");
     fmb_next_line(f->c);
     return FMB_OK;
 }
 
 /* Note the objective; its numbers are read once their count is known. */
-static fmb_status take_ine_objective(fmb_ine *f, const char *line, fmb_sense sense)
+static fmb_status take_ine_objective(fmb_ine *f, const char *line, int sense)
 {
     if (f->objective)
         return fmb_io_fail(f->c, line, "expected one objective, found another");
     f->objective = f->c->at;
-    f->sense = sense;
+    f->sense = (fmb_sense)sense;
     fmb_ine_skip_arguments(f->c);
     return FMB_OK;
 }
 
-static fmb_status take_maximize_line(fmb_ine *f, const char *line)
+static fmb_status take_representation(fmb_ine *f, const char *line, int generators)
 {
-    return take_ine_objective(f, line, FMB_SENSE_MAX);
-}
-
-static fmb_status take_minimize_line(fmb_ine *f, const char *line)
-{
-    return take_ine_objective(f, line, FMB_SENSE_MIN);
-}
-
-static fmb_status take_v_representation(fmb_ine *f, const char *line)
-{
-    if (!f->generators)
+    if (f->generators != (bool)generators)
         return fmb_io_fail(
-            f->c, line, "expected an H-representation, found vertices and rays (V-representation)");
-    fmb_ine_skip_arguments(f->c);
-    return FMB_OK;
-}
-
-static fmb_status take_h_representation(fmb_ine *f, const char *line)
-{
-    if (f->generators)
-        return fmb_io_fail(f->c, line, "expected a V-representation, found an H-representation");
+            f->c, line,
+            generators ? "expected an H-representation, found vertices and rays (V-representation)"
+                       : "expected a V-representation, found an H-representation");
     fmb_ine_skip_arguments(f->c);
     return FMB_OK;
 }
 
 static const struct option {
     const char *word;
-    fmb_status (*take)(fmb_ine *f, const char *line); /* c is past the word */
+    fmb_status (*take)(fmb_ine *f, const char *line, int which); /* c is past the word */
+    int which;
 } options[] = {
-    {"H-representation", take_h_representation},
-    {"V-representation", take_v_representation},
-    {"linearity", take_linearity_list},
-    {"equality", take_linearity_list},
-    {"partial_enum", take_linearity_list},
-    {"partial_enumeration", take_linearity_list},
-    {"strict_inequality", take_strict_list},
-    {"project", take_project_line},
-    {"eliminate", take_eliminate_line},
-    {"nonnegative", ignore_nonnegative},
-    {"maximize", take_maximize_line},
-    {"minimize", take_minimize_line},
+    {"H-representation", take_representation, false},
+    {"V-representation", take_representation, true},
+    {"linearity", take_row_list, false},
+    {"equality", take_row_list, false},
+    {"partial_enum", take_row_list, false},
+    {"partial_enumeration", take_row_list, false},
+    {"strict_inequality", take_row_list, true},
+    {"project", take_variable_list, true},
+    {"eliminate", take_variable_list, false},
+    {"nonnegative", ignore_nonnegative, 0},
+    {"maximize", take_ine_objective, FMB_SENSE_MAX},
+    {"minimize", take_ine_objective, FMB_SENSE_MIN},
 };
 
 /* Commands to those programs. */
@@ -167,7 +137,7 @@ fmb_status fmb_ine_option(fmb_ine *f, bool *known)
     *known = true;
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         if (fmb_span_is_nocase(word, options[i].word))
-            return options[i].take(f, line);
+            return options[i].take(f, line, options[i].which);
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
         if (fmb_span_is_nocase(word, commands[i])) {
             fmb_ine_skip_arguments(f->c);

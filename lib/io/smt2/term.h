@@ -116,22 +116,26 @@ typedef fmb_status fmb_smt_command(fmb_smt *r, const char *open);
 fmb_smt_command fmb_smt_declare_const, fmb_smt_declare_fun, fmb_smt_define_const,
     fmb_smt_define_fun, fmb_smt_define_sort;
 
-/* One operator. */
+/* One operator, and its application to n arguments at a place of the text. */
 typedef struct fmb_smt_operator fmb_smt_operator;
+typedef struct fmb_smt_application {
+    const fmb_smt_operator *op;
+    const char *at;
+    const fmb_smt_value *arg;
+    size_t n;
+} fmb_smt_application;
 struct fmb_smt_operator {
     const char *name;
     enum { FMB_SMT_TERMS, FMB_SMT_FORMULAS, FMB_SMT_EITHER } takes;
     size_t least, most; /* arguments */
-    fmb_status (*apply)(fmb_smt *r, const fmb_smt_operator *op, const char *at,
-                        const fmb_smt_value *arg, size_t n, fmb_smt_value *out);
+    fmb_status (*apply)(fmb_smt *r, const fmb_smt_application *k, fmb_smt_value *out);
     fmb_rel rel; /* comparisons; FMB_LE elsewhere */
-    bool swap;   /* >= and > */
+    bool swap;   /* -, >=, > and => */
 };
 
 /* The i-th operator, NULL past the end. */
 const fmb_smt_operator *fmb_smt_operator_at(size_t i);
 /* Check number and kinds of the arguments, then apply the operator. Errors: PARSE, MEMORY. */
-fmb_status fmb_smt_operate(fmb_smt *r, const fmb_smt_operator *op, const char *at,
-                           const fmb_smt_value *arg, size_t n, fmb_smt_value *out);
+fmb_status fmb_smt_operate(fmb_smt *r, const fmb_smt_application *k, fmb_smt_value *out);
 
 #endif

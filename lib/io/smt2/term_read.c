@@ -198,8 +198,9 @@ static fmb_status close_application(fmb_smt *r, size_t base, const fmb_smt_token
     if (head->meaning == FMB_SMT_MACRO)
         return enter_macro_body(r, &r->macro[head->index]);
     size_t n = r->values - f->values; /* without any there may be no array yet */
-    fmb_status st = fmb_smt_operate(r, fmb_smt_operator_at(head->index), f->at,
-                                    n > 0 ? &r->value[f->values] : NULL, n, v);
+    const fmb_smt_application k = {fmb_smt_operator_at(head->index), f->at,
+                                   n > 0 ? &r->value[f->values] : NULL, n};
+    fmb_status st = fmb_smt_operate(r, &k, v);
     r->values = f->values;
     leave_top_frame(r);
     *ready = st == FMB_OK;
