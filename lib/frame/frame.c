@@ -22,12 +22,6 @@ static int most_axes_of_shape(fmb_shape shape, int dim)
     return shape == FMB_SIMPLEX_BY_CORNERS ? FMB_FRAME_MOST_DIM : dim;
 }
 
-static bool is_outline_possible(fmb_shape shape, int naxes, int dim)
-{
-    return dim >= 0 && dim <= FMB_FRAME_MOST_DIM && naxes >= 0 &&
-           naxes <= most_axes_of_shape(shape, dim) && (unsigned)shape <= FMB_SIMPLEX_BY_CORNERS;
-}
-
 /* The arrays of a frame: [rows][dim] each. */
 typedef struct part {
     const char *name;
@@ -94,9 +88,11 @@ static bool has_denominators(mpq_t *a, size_t n)
 
 bool fmb_frame_q_is_good(const fmb_frame_q *f, int dim)
 {
+    const fmb_frame outline = {.dim = f->dim, .shape = f->shape, .naxes = f->naxes};
+    char text[FMB_FRAME_FAULT_SIZE];
     size_t d = (size_t)dim;
-    return f->dim == dim && is_outline_possible(f->shape, f->naxes, dim) &&
-           has_denominators(f->origin, d) && has_denominators(f->axes, (size_t)f->naxes * d) &&
+    return !describe_outline(&outline, dim, text, sizeof text) && has_denominators(f->origin, d) &&
+           has_denominators(f->axes, (size_t)f->naxes * d) &&
            (!f->speed || has_denominators(f->speed, d));
 }
 

@@ -379,23 +379,10 @@ static void work_on_band_in_turn(void *self, size_t job, size_t thread)
     fmb_threads_end_turn(&r->k->running);
 }
 
-static fmb_status work_on_bands_alone(all_query *x, fmb_pair *k, band *w)
-{
-    fmb_status st = FMB_OK;
-    bool goes_on = true;
-    for (size_t first = 0; goes_on && first < x->a->n; first += x->rows) {
-        st = work_on_band(x, w, first);
-        goes_on = st == FMB_OK && !fmb_pair_is_cancelled(k) && tell_band(x, w);
-    }
-    return st;
-}
-
 /* Bands are processed in parallel, and reported in order. */
 static fmb_status work_on_all_bands(all_query *x, fmb_pair *k, band *w)
 {
     bands_round r = {x, k, w, FMB_OK};
-    if (k->threads == 1)
-        return work_on_bands_alone(x, k, w);
     fmb_status st =
         fmb_packed_do(k, x->a->n / x->rows + (x->a->n % x->rows > 0), work_on_band_in_turn, &r);
     return st == FMB_OK ? r.st : st;
