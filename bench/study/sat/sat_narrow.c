@@ -1,10 +1,5 @@
 /* sat_narrow.c: for every processor: two pairs at a time on x86-64, elsewhere one; see sat.h. A
  * test renames the table and uses plain C. */
-#if defined __SSE2__ && !defined FMB_LANE_PLAIN
-#define FMB_LANES 2
-#else
-#define FMB_LANES 1
-#endif
 #ifndef FMB_PACKED_TABLE
 #define FMB_PACKED_TABLE study_sat_packed_narrow
 #endif

@@ -1,10 +1,11 @@
 /* lane.h: vectors of numbers, one from each of several pairs.
  *
  * The kernels are written once, in terms of `lane`: FMB_LANES doubles, one of each pair of a block.
- * kernels_*.c set FMB_LANES to 1, 2, 4 or 8 (2: SSE2, 4: AVX2 with FMA, 8: AVX-512 F and DQ) and
- * are compiled for those instructions; one lane is C alone. The operators + - * / work on lanes,
- * each rounded once; where FMB_LANE_FUSED, products in sums are not rounded (docs/error-bounds.md,
- * "The calculus"). min and max are for numbers only: no NaN may get there, but as box_hull.h says.
+ * kernels_*.c set FMB_LANES to 4 (AVX2 with FMA) or 8 (AVX-512 F and DQ) and are compiled for those
+ * instructions; every processor has 2 (SSE2) or 1, C alone, which a test wants. The operators + - *
+ * / work on lanes, each rounded once; where FMB_LANE_FUSED, products in sums are not rounded
+ * (docs/error-bounds.md, "The calculus"). min and max are for numbers only: no NaN may get there,
+ * but as box_hull.h says.
  */
 #ifndef FMB_PAIR_LANE_H
 #define FMB_PAIR_LANE_H
@@ -12,6 +13,14 @@
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+#ifndef FMB_LANES
+#if defined __SSE2__ && !defined FMB_LANE_PLAIN
+#define FMB_LANES 2
+#else
+#define FMB_LANES 1
+#endif
+#endif
 
 #define FMB_INLINE static inline __attribute__((always_inline, unused))
 

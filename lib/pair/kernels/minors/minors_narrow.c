@@ -1,9 +1,4 @@
 /* minors_narrow.c: what every processor has, as in pair_kernels_narrow.c; see minors_kernels.h. */
-#if defined __SSE2__ && !defined FMB_LANE_PLAIN
-#define FMB_LANES 2
-#else
-#define FMB_LANES 1
-#endif
 #ifndef FMB_MINORS_TABLE
 #define FMB_MINORS_TABLE fmb_minors_narrow
 #endif

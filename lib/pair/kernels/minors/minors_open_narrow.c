@@ -1,10 +1,5 @@
 /* minors_open_narrow.c: what every processor has, as in pair_kernels_narrow.c; see minors_open.h.
  */
-#if defined __SSE2__ && !defined FMB_LANE_PLAIN
-#define FMB_LANES 2
-#else
-#define FMB_LANES 1
-#endif
 #ifndef FMB_MINORS_LIST
 #define FMB_MINORS_LIST fmb_minors_list_narrow
 #endif
