@@ -88,13 +88,13 @@ typedef struct fmb_packed {
     void (*lengths)(const fmb_packed_pairs *x, fmb_contact_lanes *contacts,
                     fmb_distance_lanes *distances);
     /* Are all verdicts known? */
-    bool (*pairs)(int dim, const fmb_packed_pairs *x, fmb_verdict *out);
+    bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out); /* [D - 2] */
     /* The rows of a block of as many pairs as there are lanes, which stand still and have all axes.
      */
     void (*load)(int dim, const fmb_frame *a, const fmb_frame *b, double *block);
     /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */
     void (*tiles)(int dim, const double *record, const uint32_t *index, size_t n, double *tiles);
-    void (*row)(int dim, const fmb_packed_row *x, fmb_packed_bits *out);
+    void (*row[2])(const fmb_packed_row *x, fmb_packed_bits *out); /* [D - 2] */
     /* The largest of n numbers in the even and in the odd places; n is even. */
     void (*largest)(const uint32_t *index, size_t n, uint32_t out[2]);
     fmb_hull_kernels hulls;

@@ -147,7 +147,7 @@ static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
     contacts_waiting waiting[2];
     fmb_status st = FMB_OK;
     waiting[0].n = waiting[1].n = 0;
-    x->k->wide->packed->pairs(x->k->dim, &packed, out->verdict + i);
+    x->k->wide->packed->pairs[x->k->dim - 2](&packed, out->verdict + i);
     for (size_t j = 0; st == FMB_OK && j < n; j++)
         st = answer_decided(x, pair[j], i + j, waiting, out);
     for (int meet = 0; st == FMB_OK && meet < 2; meet++)

@@ -57,7 +57,7 @@ static fmb_status decide_pairs_of_kinds(fmb_pair *k, const pairs_query *x, int k
         packed.index[side] = index[side ^ plan.swapped];
     }
     bool known = k->dim > 3 ? k->wide->minors->pairs(k->dim, plan.what, &packed, k->room, out)
-                            : k->wide->packed->pairs(k->dim, &packed, out);
+                            : k->wide->packed->pairs[k->dim - 2](&packed, out);
     return known ? FMB_OK : decide_open_pairs(k, x, n, pair, out);
 }
 

@@ -122,7 +122,7 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
         if (k->dim > 3)
             k->wide->minors->row(k->dim, plan.what, &row, k->room, out + g);
         else
-            k->wide->packed->row(k->dim, &row, out + g);
+            k->wide->packed->row[k->dim - 2](&row, out + g);
     }
 }
 

@@ -148,11 +148,15 @@ FMB_INLINE bool packed_pairs_of_shapes(int dim, bool moves, const fmb_packed_pai
     }
 }
 
-static bool packed_pairs_of_dim(int dim, const fmb_packed_pairs *x, fmb_verdict *out)
+/* A function for each dimension: as one, kernels in the plane would take up to 1.17 of the time. */
+static bool packed_pairs_2d(const fmb_packed_pairs *x, fmb_verdict *out)
 {
-    if (dim == 2)
-        return x->moves ? packed_pairs_of_shapes(2, true, x, out)
-                        : packed_pairs_of_shapes(2, false, x, out);
+    return x->moves ? packed_pairs_of_shapes(2, true, x, out)
+                    : packed_pairs_of_shapes(2, false, x, out);
+}
+
+static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
+{
     return x->moves ? packed_pairs_of_shapes(3, true, x, out)
                     : packed_pairs_of_shapes(3, false, x, out);
 }
@@ -379,13 +383,17 @@ FMB_INLINE void packed_row_of_shapes(int dim, bool moves, const fmb_packed_row *
     }
 }
 
-static void packed_row_of_dim(int dim, const fmb_packed_row *x, fmb_packed_bits *out)
+static void packed_row_2d(const fmb_packed_row *x, fmb_packed_bits *out)
 {
-    if (dim == 2 && x->moves)
+    if (x->moves)
         packed_row_of_shapes(2, true, x, out);
-    else if (dim == 2)
+    else
         packed_row_of_shapes(2, false, x, out);
-    else if (x->moves)
+}
+
+static void packed_row_3d(const fmb_packed_row *x, fmb_packed_bits *out)
+{
+    if (x->moves)
         packed_row_of_shapes(3, true, x, out);
     else
         packed_row_of_shapes(3, false, x, out);
@@ -413,10 +421,10 @@ const fmb_packed FMB_PACKED_TABLE = {.flat = packed_ask_any,
                                      .contact = contact_ask,
                                      .lengths = packed_lengths,
                                      .distance = distance_ask,
-                                     .pairs = packed_pairs_of_dim,
+                                     .pairs = {packed_pairs_2d, packed_pairs_3d},
                                      .load = packed_load,
                                      .tiles = packed_tiles,
-                                     .row = packed_row_of_dim,
+                                     .row = {packed_row_2d, packed_row_3d},
                                      .largest = packed_largest,
                                      .hulls = {contact_farthest, contact_place}};
 
