@@ -186,19 +186,26 @@ static fmb_status make_system(fmb_maker *m)
     return st;
 }
 
-/* One of f and q is given. */
-static fmb_status make_system_from(const fmb_frame *f, const fmb_frame_q *q, size_t n,
-                                   fmb_coordinates in, fmb_contact contact, const fmb_alloc *hook,
-                                   fmb_run *run, fmb_system **out)
+static bool are_good(const fmb_frame *f, const fmb_frame_q *q, size_t n)
+{
+    bool good = (f || q) && n > 0;
+    for (size_t k = 0; good && k < n; k++)
+        good = f ? fmb_frame_is_good(&f[k], f[0].dim) : fmb_frame_q_is_good(&q[k], q[0].dim);
+    return good;
+}
+
+fmb_status fmb_frames_within_limits(const fmb_frame *f, const fmb_frame_q *q, size_t n,
+                                    fmb_coordinates in, fmb_contact contact, const fmb_alloc *hook,
+                                    fmb_run *run, fmb_system **out)
 {
     fmb_maker m = {.in = in, .inside = contact == FMB_CONTACT_OPEN ? FMB_LT : FMB_LE, .run = run};
-    if (!out || (unsigned)in > FMB_COORDINATES_ALL || (unsigned)contact > FMB_CONTACT_OPEN)
+    if (!are_good(f, q, n) || !out || (unsigned)in > FMB_COORDINATES_ALL ||
+        (unsigned)contact > FMB_CONTACT_OPEN)
         return FMB_ERR_ARG;
     FMB_TRY(fmb_system_new(0, hook, &m.s));
     fmb_mem *mem = &m.s->mem;
     mem->limit = run ? run->mem->limit : 0;
-    fmb_status st = f ? fmb_scene_of_doubles(&m.scene, f, n, mem, run)
-                      : fmb_scene_of_rationals(&m.scene, q, n, mem, run);
+    fmb_status st = fmb_scene_open(&m.scene, f, q, n, mem, run);
     FMB_THEN(st, make_system(&m));
     fmb_scene_clear(&m.scene);
     if (st == FMB_ERR_MEMORY)
@@ -211,34 +218,14 @@ static fmb_status make_system_from(const fmb_frame *f, const fmb_frame_q *q, siz
     return st;
 }
 
-fmb_status fmb_frames_within_limits(const fmb_frame *f, size_t n, fmb_coordinates in,
-                                    fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
-                                    fmb_system **out)
-{
-    bool good = f && n > 0;
-    for (size_t k = 0; good && k < n; k++)
-        good = fmb_frame_is_good(&f[k], f[0].dim);
-    return good ? make_system_from(f, NULL, n, in, contact, mem, run, out) : FMB_ERR_ARG;
-}
-
 fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n, fmb_coordinates in,
                                   fmb_contact contact, const fmb_alloc *mem, fmb_system **out)
 {
-    return fmb_frames_within_limits(f, n, in, contact, mem, NULL, out);
-}
-
-fmb_status fmb_frames_q_within_limits(const fmb_frame_q *f, size_t n, fmb_coordinates in,
-                                      fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
-                                      fmb_system **out)
-{
-    bool good = f && n > 0;
-    for (size_t k = 0; good && k < n; k++)
-        good = fmb_frame_q_is_good(&f[k], f[0].dim);
-    return good ? make_system_from(NULL, f, n, in, contact, mem, run, out) : FMB_ERR_ARG;
+    return fmb_frames_within_limits(f, NULL, n, in, contact, mem, NULL, out);
 }
 
 fmb_status fmb_system_from_frames_q(const fmb_frame_q *f, size_t n, fmb_coordinates in,
                                     fmb_contact contact, const fmb_alloc *mem, fmb_system **out)
 {
-    return fmb_frames_q_within_limits(f, n, in, contact, mem, NULL, out);
+    return fmb_frames_within_limits(NULL, f, n, in, contact, mem, NULL, out);
 }

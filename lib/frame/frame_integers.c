@@ -96,14 +96,6 @@ static fmb_status find_units(fmb_scene *w, fmb_run *run)
     return FMB_OK;
 }
 
-static fmb_status open_scene(fmb_scene *w, int dim, size_t n, fmb_mem *mem,
-                             const fmb_number_source *from)
-{
-    *w = (fmb_scene){.mem = mem, .dim = dim, .frames = n, .from = from};
-    w->frame = fmb_mem_get(mem, n, sizeof *w->frame);
-    return w->frame ? FMB_OK : fmb_mem_status(mem);
-}
-
 static fmb_integer_frame outline_of_frame(fmb_shape shape, int naxes, bool moves,
                                           const void *source)
 {
@@ -116,23 +108,17 @@ static fmb_integer_frame outline_of_frame(fmb_shape shape, int naxes, bool moves
                                .source = source};
 }
 
-fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem,
-                                fmb_run *run)
+fmb_status fmb_scene_open(fmb_scene *w, const fmb_frame *f, const fmb_frame_q *q, size_t n,
+                          fmb_mem *mem, fmb_run *run)
 {
-    static const fmb_number_source doubles = {widen_double, take_double};
-    FMB_TRY(open_scene(w, f[0].dim, n, mem, &doubles));
+    static const fmb_number_source doubles = {widen_double, take_double},
+                                   rationals = {widen_rational, take_rational};
+    *w = (fmb_scene){
+        .mem = mem, .dim = f ? f[0].dim : q[0].dim, .frames = n, .from = f ? &doubles : &rationals};
+    FMB_TRY(FMB_GET(mem, w->frame, n));
     for (size_t k = 0; k < n; k++)
-        w->frame[k] = outline_of_frame(f[k].shape, f[k].naxes, f[k].speed != NULL, &f[k]);
-    return find_units(w, run);
-}
-
-fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, fmb_mem *mem,
-                                  fmb_run *run)
-{
-    static const fmb_number_source rationals = {widen_rational, take_rational};
-    FMB_TRY(open_scene(w, f[0].dim, n, mem, &rationals));
-    for (size_t k = 0; k < n; k++)
-        w->frame[k] = outline_of_frame(f[k].shape, f[k].naxes, f[k].speed != NULL, &f[k]);
+        w->frame[k] = f ? outline_of_frame(f[k].shape, f[k].naxes, f[k].speed != NULL, &f[k])
+                        : outline_of_frame(q[k].shape, q[k].naxes, q[k].speed != NULL, &q[k]);
     return find_units(w, run);
 }
 

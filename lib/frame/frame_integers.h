@@ -36,12 +36,10 @@ typedef struct fmb_scene {
     const fmb_number_source *from;
 } fmb_scene;
 
-/* The frames were checked before and are borrowed. run: its limits apply; or NULL. fmb_scene_clear
- * the scene. Errors: MEMORY, LIMIT. */
-fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem,
-                                fmb_run *run);
-fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, fmb_mem *mem,
-                                  fmb_run *run);
+/* n frames f or, if that is NULL, q, which were checked before and are borrowed. run: its limits
+ * apply; or NULL. fmb_scene_clear the scene even after an error. Errors: MEMORY, LIMIT. */
+fmb_status fmb_scene_open(fmb_scene *w, const fmb_frame *f, const fmb_frame_q *q, size_t n,
+                          fmb_mem *mem, fmb_run *run);
 void fmb_scene_clear(fmb_scene *w);
 
 /* out = number j of row i of a frame, in units of world axis j. */

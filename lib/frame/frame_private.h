@@ -27,14 +27,10 @@ static inline bool fmb_frame_is_hull(const fmb_frame *f)
 enum { FMB_FRAME_FAULT_SIZE = 64 };
 bool fmb_frame_describe_fault(const fmb_frame *f, int dim, char *text, size_t size);
 
-/* fmb_system_from_frames, and _q, within a query: cancel, deadline and memory limit of run apply to
- * making the system, too. Errors: also LIMIT. */
-fmb_status fmb_frames_within_limits(const fmb_frame *f, size_t n, fmb_coordinates in,
-                                    fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
-                                    fmb_system **out);
-/* run may be NULL. */
-fmb_status fmb_frames_q_within_limits(const fmb_frame_q *f, size_t n, fmb_coordinates in,
-                                      fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
-                                      fmb_system **out);
+/* fmb_system_from_frames, or _q (one of f and q is NULL), within a query: cancel, deadline and
+ * memory limit of run apply to making the system, too; run may be NULL. Errors: also LIMIT. */
+fmb_status fmb_frames_within_limits(const fmb_frame *f, const fmb_frame_q *q, size_t n,
+                                    fmb_coordinates in, fmb_contact contact, const fmb_alloc *mem,
+                                    fmb_run *run, fmb_system **out);
 
 #endif

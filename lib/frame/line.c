@@ -15,7 +15,7 @@ static fmb_status start_from_frames(const fmb_frame_line *line, fmb_coordinates 
             f[n++] = line->body[k].frame;
     if (n < 2 && in != FMB_COORDINATES_ALL)
         return FMB_ERR_ARG;
-    return n > 0 ? fmb_frames_q_within_limits(f, n, in, contact, mem, run, out)
+    return n > 0 ? fmb_frames_within_limits(NULL, f, n, in, contact, mem, run, out)
                  : fmb_system_new(line->body[0].frame.dim, mem, out);
 }
 

@@ -44,7 +44,8 @@ static fmb_status start_query(fmb_pair_oracle *x, const fmb_frame *p, const fmb_
     const fmb_frame both[2] = {*p, *q};
     size_t most = x->limits.max_bytes;
     fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
-    fmb_status st = fmb_frames_within_limits(both, 2, in, x->contact, &x->mem.alloc, &x->run, out);
+    fmb_status st =
+        fmb_frames_within_limits(both, NULL, 2, in, x->contact, &x->mem.alloc, &x->run, out);
     if (st == FMB_OK && most > 0)
         most = most > (*out)->mem.used ? most - (*out)->mem.used : 1;
     x->solver->options.max_bytes = x->proving->options.max_bytes = most;

@@ -64,7 +64,7 @@ fmb_status fmb_minkowski_init(fmb_minkowski *m, const fmb_two *two, fmb_mem *mem
     mpz_init(m->unit);
     for (int k = 0; k < 4; k++)
         mpz_init(m->t[k]);
-    fmb_status st = fmb_two_scene(two, mem, &scene);
+    fmb_status st = fmb_scene_open(&scene, two->f, two->q, 2, mem, NULL);
     FMB_THEN(st, read_scene(m, &scene));
     fmb_scene_clear(&scene);
     return st;

@@ -36,12 +36,5 @@ bool fmb_two_moves(const fmb_two *two)
 fmb_status fmb_two_system(const fmb_two *two, fmb_coordinates in, fmb_contact contact,
                           const fmb_alloc *mem, fmb_system **out)
 {
-    return two->f ? fmb_system_from_frames(two->f, 2, in, contact, mem, out)
-                  : fmb_system_from_frames_q(two->q, 2, in, contact, mem, out);
-}
-
-fmb_status fmb_two_scene(const fmb_two *two, fmb_mem *mem, fmb_scene *out)
-{
-    return two->f ? fmb_scene_of_doubles(out, two->f, 2, mem, NULL)
-                  : fmb_scene_of_rationals(out, two->q, 2, mem, NULL);
+    return fmb_frames_within_limits(two->f, two->q, 2, in, contact, mem, NULL, out);
 }

@@ -20,7 +20,5 @@ bool fmb_two_moves(const fmb_two *two);
 /* [give] The system of common points. Errors: ARG (dependent axes, c no variables), MEMORY. */
 fmb_status fmb_two_system(const fmb_two *two, fmb_coordinates in, fmb_contact contact,
                           const fmb_alloc *mem, fmb_system **out);
-/* The caller must call fmb_scene_clear even after an error. Errors: MEMORY. */
-fmb_status fmb_two_scene(const fmb_two *two, fmb_mem *mem, fmb_scene *out);
 
 #endif

@@ -11,11 +11,6 @@
 
 static fmb_status read_sum_of_terms(fmb_text *t, fmb_draft *d, mpq_t constant, int depth);
 
-static bool is_at_start_of_name(const fmb_cursor *c)
-{
-    return fmb_peek(c) == '"' || fmb_text_name_char(c->at, (size_t)(c->end - c->at), true) > 0;
-}
-
 /* A minus sign: ASCII, or U+2212. */
 static bool accept_minus_sign(fmb_cursor *c)
 {
@@ -106,7 +101,7 @@ static fmb_status read_signed_factor(fmb_text *t, fmb_draft *d, mpq_t constant, 
     mpq_set_ui(constant, 0, 1);
     if (fmb_peek(c) == '(') {
         FMB_TRY(read_parenthesis(t, d, constant, depth));
-    } else if (is_at_start_of_name(c)) {
+    } else if (fmb_text_is_at_name(c)) {
         FMB_TRY(read_variable_factor(t, d));
     } else {
         const char *number = c->at;
@@ -147,7 +142,7 @@ static bool accept_product_sign(fmb_cursor *c, bool after_name, bool *divide)
     *divide = fmb_peek(c) == '/';
     if (fmb_accept(c, "*") || fmb_accept(c, "/"))
         return true;
-    return !after_name && (fmb_peek(c) == '(' || is_at_start_of_name(c));
+    return !after_name && (fmb_peek(c) == '(' || fmb_text_is_at_name(c));
 }
 
 /* Only blanks stand for the operator before the cursor: perhaps another row was meant to begin

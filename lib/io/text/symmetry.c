@@ -76,7 +76,7 @@ static bool is_at_next_name(fmb_cursor *c)
 {
     while (fmb_skip_blanks(c), fmb_peek(c) == ',')
         c->at++;
-    return fmb_peek(c) == '"' || fmb_text_name_char(c->at, (size_t)(c->end - c->at), true) > 0;
+    return fmb_text_is_at_name(c);
 }
 
 /* Read the name at c; each may occur once on its side. */

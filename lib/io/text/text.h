@@ -37,6 +37,11 @@ typedef struct fmb_text {
 
 /* Bytes of the character at p if it can stand in a name without quotes (as its first), else 0. */
 size_t fmb_text_name_char(const char *p, size_t left, bool first);
+/* Does a name begin at c? */
+static inline bool fmb_text_is_at_name(const fmb_cursor *c)
+{
+    return fmb_peek(c) == '"' || fmb_text_name_char(c->at, (size_t)(c->end - c->at), true) > 0;
+}
 /* Is this the name of a line that is not a row? */
 bool fmb_text_is_reserved(fmb_span label);
 
