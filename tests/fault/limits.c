@@ -101,8 +101,8 @@ Test(limits, bytes_dd)
     every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_DD, 2);
 }
 
-/* A projection under looser and looser limits on bytes, until it is done. */
-static size_t count_tight_limits(const fmb_system *s)
+/* A projection under looser and looser limits on bytes, by 1 / steps each, until it is done. */
+static size_t count_tight_limits(const fmb_system *s, size_t steps)
 {
     char truth[VERB_ANSWER] = "";
     fmb_options o = options(FMB_METHOD_AUTO);
@@ -114,7 +114,7 @@ static size_t count_tight_limits(const fmb_system *s)
     fmb_solver_free(v);
     set_bytes(&o, 1);
     for (size_t k = 1; ask(&VERBS[1], &o, s, FMB_STOP_BYTES, truth) != FMB_STOP_DONE; tries++) {
-        k += 1 + k * WATCHED / 512;
+        k += 1 + k * WATCHED / steps;
         set_bytes(&o, k);
     }
     return tries;
@@ -124,29 +124,54 @@ static size_t count_tight_limits(const fmb_system *s)
 Test(limits, polygon)
 {
     fmb_system *s = sample_hard(5, 18, NULL);
-    cr_expect_gt(count_tight_limits(s), 100 / WATCHED);
+    cr_expect_gt(count_tight_limits(s, 512), 100 / WATCHED);
+    fmb_system_free(s);
+}
+
+static void under_tight_limits(const char *rows)
+{
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT};
+    fmb_system *s = NULL;
+    must(fmb_system_parse(rows, strlen(rows), &how, &s, NULL));
+    cr_expect_gt(count_tight_limits(s, 4096), 100 / WATCHED);
     fmb_system_free(s);
 }
 
 /* The limit comes when all is known, and rows are claimed one by one. */
 Test(limits, polygon_of_long_rows)
 {
-    static const char ROWS[] = "vars: x z y\n"
-                               "2x+2y-z<=2341020015902972/1000000007\n"
-                               "-3x+3y+z<=160465001607423/1000000007\n"
-                               "3x<=1675531\n"
-                               "x+3y+3z<=2394506018214046/1000000007\n"
-                               "-2x-y-3z<=-1729016013555616/1000000007\n"
-                               "-y-3z<=-611994005736462/1000000007\n"
-                               "-3y-z<=-1835990013336098/1000000007\n"
-                               "-2x+3y<=718977\n"
-                               "3z<=4001452532/1000000007\n"
-                               "2x-2y-2z<=-106975001717161/1000000007\n";
-    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT};
-    fmb_system *s = NULL;
-    must(fmb_system_parse(ROWS, strlen(ROWS), &how, &s, NULL));
-    cr_expect_gt(count_tight_limits(s), 100 / WATCHED);
-    fmb_system_free(s);
+    under_tight_limits("vars: x z y\n"
+                       "2x+2y-z<=2341020015902972/1000000007\n"
+                       "-3x+3y+z<=160465001607423/1000000007\n"
+                       "3x<=1675531\n"
+                       "x+3y+3z<=2394506018214046/1000000007\n"
+                       "-2x-y-3z<=-1729016013555616/1000000007\n"
+                       "-y-3z<=-611994005736462/1000000007\n"
+                       "-3y-z<=-1835990013336098/1000000007\n"
+                       "-2x+3y<=718977\n"
+                       "3z<=4001452532/1000000007\n"
+                       "2x-2y-2z<=-106975001717161/1000000007\n");
+}
+
+/* The limit comes when support queries are opened. */
+Test(limits, interval_of_long_rows)
+{
+    under_tight_limits(
+        "vars: z y w x\n"
+        "28x<=1385115\n"
+        "25y+17z<=118998477530999997067109385381990/100000000700000000039000000273\n"
+        "-83x+59y<=-2874107400000000001170119922/700000000000000000273\n"
+        "x<=346285/7\n"
+        "z<=70999104437/1000000007\n"
+        "-z<=-68999104423/1000000007\n"
+        "-51z<=-3569954325930/1000000007\n"
+        "93x-65y<=3220385400000000001310173566/700000000000000000273\n"
+        "-69x-91z<=-23937771596774184/7000000049\n"
+        "79y-78z<=-545993014554000009627525341578176/100000000700000000039000000273\n"
+        "13y<=199999999999998450842/100000000000000000039\n"
+        "y<=99999999999999880867/100000000000000000039\n"
+        "-y<=119172/100000000000000000039\n"
+        "w<=1\n");
 }
 
 /* Ask with a limit of time: the clock is not read again once it has shown the end, but to say how

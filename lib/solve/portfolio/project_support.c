@@ -22,7 +22,7 @@ struct fmb_queries {
     mpz_t *z;    /* [n + 1] scratch: a row of the part */
     fmb_vec row; /* scratch: a row of the part */
     bool begun;  /* s is initialized */
-    bool put;    /* its rows were to be appended, and its hull is cleared */
+    bool open;   /* s can go on: it was initialized without an error, and its hull is there */
 };
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -216,6 +216,7 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, bool apart
     FMB_THEN(st, use_symmetries(h));
     if (fmb_run_is_limited(&q->run))
         fmb_support_want_outer_rows(&h->s, FEW_QUERIES, OUTER_ROWS * h->k);
+    h->open = st == FMB_OK;
     return st;
 }
 
@@ -317,7 +318,7 @@ fmb_status fmb_queries_put(fmb_queries *h, fmb_system *out, fmb_status st)
     if (put != FMB_OK)
         return put;
     fmb_facets_clear(&h->s.hull);
-    h->put = true;
+    h->open = false;
     put = st == FMB_LIMIT ? put_proved_rows_and_points(h, out) : put_all_support_rows(h, out);
     return put == FMB_OK ? st : put;
 }
@@ -354,7 +355,7 @@ static void end_as_before(fmb_query *q, fmb_stop why)
 fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out)
 {
     fmb_stop why;
-    if (!h->begun || h->put)
+    if (!h->open)
         return FMB_OK;
     if (h->s.ended || !go_on_behind_limit(h->q, &why))
         return put_proved_rows_and_points(h, out);
