@@ -3,12 +3,15 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/arrays.h"
 
 /* Right sides are limited to this, or they would dwarf all others. */
 #define FAR_AWAY 1e60
+/* Right sides have a unit if the mean of their exponents is beyond this. */
+#define FAR 20
 /* Columns are scaled if coefficients of the scaled rows are less than 2^-WIDE. */
 #define WIDE   7
 #define PASSES 4
@@ -48,9 +51,12 @@ static double term_divided(const fmb_program_row *row, size_t k, int e)
     return ldexp(x, own - e);
 }
 
-static double right_side_divided(const fmb_program_row *row, int e)
+/* Write the right side of row i. */
+static void load_right_side(fmb_scaled_program *f, size_t i)
 {
-    return fmax(-FAR_AWAY, fmin(FAR_AWAY, term_divided(row, row->size, e)));
+    const fmb_program_row *row = &f->p->row[i];
+    double right = term_divided(row, row->size, f->exponent[i] + f->unit);
+    f->right[i] = fmax(-FAR_AWAY, fmin(FAR_AWAY, right));
 }
 
 /* Scale the terms of row i so that its largest fits; its exponent is e before, the result after. */
@@ -96,7 +102,7 @@ static void load_real_row(fmb_scaled_program *f, size_t i)
             value[k] = ldexp(value[k], -of_column);
     }
     f->exponent[i] = divide_by_largest(f, i, e);
-    f->right[i] = right_side_divided(row, f->exponent[i]);
+    load_right_side(f, i);
     f->off[i] = row->off;
     f->start[i + 1] = f->start[i] + row->size;
 }
@@ -164,6 +170,35 @@ static fmb_status scale_columns(fmb_scaled_program *f)
     return st;
 }
 
+/* ---- right sides ----------------------------------------------------------------------------- */
+
+/* The mean exponent of right sides of scaled rows, where they are not 0. */
+static int mean_exponent_of_right_sides(const fmb_scaled_program *f)
+{
+    int64_t sum = 0, count = 0;
+    for (size_t i = 0; i < f->m; i++) {
+        const fmb_program_row *row = &f->p->row[i];
+        int own;
+        if (row->off || fmb_vec_sgn(row->value, row->size) == 0)
+            continue;
+        if (row->value->z)
+            split_wide(row->value, row->size, &own);
+        else
+            own = exponent_of((double)row->value->s[row->size]);
+        sum += own - f->exponent[i];
+        count++;
+    }
+    return count > 0 ? (int)(sum / count) : 0;
+}
+
+static void load_right_sides(fmb_scaled_program *f)
+{
+    int mean = mean_exponent_of_right_sides(f);
+    f->unit = abs(mean) > FAR ? mean : 0;
+    for (size_t i = 0; i < f->m; i++)
+        load_right_side(f, i);
+}
+
 /* ---- as a whole ------------------------------------------------------------------------------ */
 
 static fmb_status reserve_real_rows(fmb_scaled_program *f, size_t m, size_t terms)
@@ -208,19 +243,26 @@ fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fm
     *f = (fmb_scaled_program){.run = run, .p = p, .n = (size_t)p->n};
     FMB_TRY(FMB_GET_ZERO(run->mem, f->column_exponent, f->n));
     FMB_TRY(fmb_scaled_program_grow(f));
-    return find_least_coefficient(f) < ldexp(1, -WIDE) ? scale_columns(f) : FMB_OK;
+    if (find_least_coefficient(f) < ldexp(1, -WIDE))
+        FMB_TRY(scale_columns(f));
+    load_right_sides(f);
+    return FMB_OK;
 }
 
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)
 {
+    if (!right) {
+        load_right_sides(f);
+        return;
+    }
+    f->unit = 0;
     for (size_t i = 0; i < f->m; i++)
-        f->right[i] = right ? ldexp(right[i], f->p->row[i].shift - f->exponent[i])
-                            : right_side_divided(&f->p->row[i], f->exponent[i]);
+        f->right[i] = ldexp(right[i], f->p->row[i].shift - f->exponent[i]);
 }
 
 void fmb_scaled_program_shift_row(fmb_scaled_program *f, size_t i)
 {
-    f->right[i] = right_side_divided(&f->p->row[i], f->exponent[i]);
+    load_right_side(f, i);
 }
 
 void fmb_scaled_program_move_in(fmb_scaled_program *f, double by)

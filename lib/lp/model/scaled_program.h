@@ -2,7 +2,9 @@
  *
  * Row i is multiplied by a power of two, so that its largest coefficient is from 1/2 to 1 and
  * numbers beyond doubles fit; so is column j, if coefficients differ much: x_j = 2^-e x'_j, e its
- * exponent. Rows are in the order of the program, including those that are off, which do not count.
+ * exponent. Right sides, and with them points, are divided by a power of two of their own where
+ * most are very long or very short: x = 2^unit x'. Rows are in the order of the program, including
+ * those that are off, which do not count.
  *
  * Source: Curtis and Reid 1972, On the automatic scaling of matrices for Gaussian elimination.
  */
@@ -23,8 +25,9 @@ typedef struct fmb_scaled_program {
     size_t n, m;   /* columns; rows copied so far */
     size_t *start; /* [m + 1] where the terms of a row begin; their columns are the program's */
     double *value; /* [start[m]] */
-    double *right; /* [m] the current ones, scaled like the rows */
-    int *exponent; /* [m] the row was divided by 2^exponent */
+    double *right; /* [m] the current ones, scaled like the rows and in units of 2^unit */
+    int unit;
+    int *exponent;        /* [m] the row was divided by 2^exponent */
     int *column_exponent; /* [n] likewise */
     bool *off;            /* [m] */
     size_t start_room, value_room, right_room, exponent_room, off_room;
@@ -39,7 +42,8 @@ fmb_status fmb_scaled_program_grow(fmb_scaled_program *f);
 /* Copy the next row of the program, which has no value: its terms are a[size], about 1. Errors:
  * MEMORY, LIMIT. */
 fmb_status fmb_scaled_program_append(fmb_scaled_program *f, const double *a, double right);
-/* Use the right sides right[m], of rows as they are in doubles (program.h); NULL: the program's. */
+/* Use the right sides right[m], of rows as they are in doubles (program.h), in unit 0; NULL: those
+ * of the program, in a unit that fits. */
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right);
 /* The right side of row i has changed in the program: copy it. */
 void fmb_scaled_program_shift_row(fmb_scaled_program *f, size_t i);

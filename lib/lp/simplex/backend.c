@@ -193,16 +193,17 @@ bool fmb_backend_point(fmb_backend *d, int fine, mpz_t *x, mpz_t den)
 {
     const int *exponent = d->scaled.column_exponent;
     const double *scaled = d->state.edge.at;
-    int places = 0;
+    int places = 0, unit = d->scaled.unit;
     fmb_simplex_state_find_point(&d->state);
     for (size_t j = 0; j < d->scaled.n; j++) {
-        places = fine + exponent[j] > places ? fine + exponent[j] : places;
+        int own = fine + exponent[j] - unit;
+        places = own > places ? own : places;
         if (!isfinite(ldexp(scaled[j], fine)))
             return false;
     }
     for (size_t j = 0; j < d->scaled.n; j++) {
         mpz_set_d(x[j], nearbyint(ldexp(scaled[j], fine)));
-        mpz_mul_2exp(x[j], x[j], (mp_bitcnt_t)(places - fine - exponent[j]));
+        mpz_mul_2exp(x[j], x[j], (mp_bitcnt_t)(places - fine - exponent[j] + unit));
     }
     mpz_set_ui(den, 0);
     mpz_setbit(den, (mp_bitcnt_t)places);

@@ -55,15 +55,29 @@ void fmb_polar_points_clear(fmb_polar_points *p)
 
 /* ---- rows in doubles ------------------------------------------------------------------------- */
 
-/* Load rows scaled to length about 1, columns to a largest entry of about 1. False if a right side
- * is beyond doubles. */
+/* The mean of the bits by which right sides are longer than the longest coefficients of their rows,
+ * where they are not 0. */
+static int unit_of_right_sides(const fmb_polar_points *p)
+{
+    int64_t sum = 0, count = 0;
+    for (size_t i = 0; i < p->m; i++) {
+        int64_t right = (int64_t)fmb_vec_entry_bits(p->row[i].v, p->n);
+        sum += right > 0 ? right - (int64_t)fmb_vec_most_bits(p->row[i].v, p->n) : 0;
+        count += right > 0;
+    }
+    return count > 0 ? (int)(sum / count) : 0;
+}
+
+/* Load rows scaled to length about 1, columns to a largest entry of about 1, and points in a unit
+ * of right sides. False if a right side is beyond doubles. */
 static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
 {
+    int unit = unit_of_right_sides(p);
     for (size_t i = 0; i < p->m; i++) {
         int bits = (int)fmb_vec_most_bits(p->row[i].v, p->n);
         for (size_t k = 0; k < p->d; k++)
             c->at[k * c->m + i] = fmb_vec_entry_double(p->row[i].v, p->column[k], bits);
-        c->right[i] = fmb_vec_entry_double(p->row[i].v, p->n, bits);
+        c->right[i] = fmb_vec_entry_double(p->row[i].v, p->n, bits + unit);
     }
     for (size_t k = 0; k < p->d; k++) {
         double most = 0;
@@ -72,6 +86,7 @@ static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
         frexp(most, &p->exponent[k]);
         for (size_t i = 0; i < c->m; i++)
             c->at[k * c->m + i] = ldexp(c->at[k * c->m + i], -p->exponent[k]);
+        p->exponent[k] -= unit;
     }
     for (size_t i = 0; i < c->m; i++) {
         double square = 0;
@@ -105,8 +120,8 @@ static int places_needed(const fmb_centre *c)
     return places;
 }
 
-/* x / 2^shift = the centre, rounded. As column k is multiplied by 2^exponent[k], its x is divided
- * by that. False if the result is beyond doubles. */
+/* x / 2^shift = the centre, rounded. x of column k is divided by 2^exponent[k], as the column was
+ * multiplied by that, the unit included. False if the result is beyond doubles. */
 static bool round_centre(fmb_polar_points *p, const fmb_centre *c)
 {
     int places = places_needed(c);
