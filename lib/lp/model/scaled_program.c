@@ -52,7 +52,7 @@ static double term_divided(const fmb_program_row *row, size_t k, int e)
 }
 
 /* Write the right side of row i. */
-static void load_right_side(fmb_scaled_program *f, size_t i)
+static void scale_right_side(fmb_scaled_program *f, size_t i)
 {
     const fmb_program_row *row = &f->p->row[i];
     double right = term_divided(row, row->size, f->exponent[i] + f->unit);
@@ -102,7 +102,7 @@ static void load_real_row(fmb_scaled_program *f, size_t i)
             value[k] = ldexp(value[k], -of_column);
     }
     f->exponent[i] = divide_by_largest(f, i, e);
-    load_right_side(f, i);
+    scale_right_side(f, i);
     f->off[i] = row->off;
     f->start[i + 1] = f->start[i] + row->size;
 }
@@ -191,12 +191,12 @@ static int mean_exponent_of_right_sides(const fmb_scaled_program *f)
     return count > 0 ? (int)(sum / count) : 0;
 }
 
-static void load_right_sides(fmb_scaled_program *f)
+static void scale_right_sides(fmb_scaled_program *f)
 {
     int mean = mean_exponent_of_right_sides(f);
     f->unit = abs(mean) > FAR ? mean : 0;
     for (size_t i = 0; i < f->m; i++)
-        load_right_side(f, i);
+        scale_right_side(f, i);
 }
 
 /* ---- as a whole ------------------------------------------------------------------------------ */
@@ -245,14 +245,14 @@ fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fm
     FMB_TRY(fmb_scaled_program_grow(f));
     if (find_least_coefficient(f) < ldexp(1, -WIDE))
         FMB_TRY(scale_columns(f));
-    load_right_sides(f);
+    scale_right_sides(f);
     return FMB_OK;
 }
 
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)
 {
     if (!right) {
-        load_right_sides(f);
+        scale_right_sides(f);
         return;
     }
     f->unit = 0;
@@ -262,7 +262,7 @@ void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)
 
 void fmb_scaled_program_shift_row(fmb_scaled_program *f, size_t i)
 {
-    load_right_side(f, i);
+    scale_right_side(f, i);
 }
 
 void fmb_scaled_program_move_in(fmb_scaled_program *f, double by)

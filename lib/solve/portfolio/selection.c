@@ -40,189 +40,189 @@ typedef struct tree {
 
 /* clang-format off */
 /* Made by `ninja fit-selection`; do not edit from here. */
-/* 19579 problems of 101 families, seeds 1 to 390050, ways as of commit 563c3091.
- * Time over that of the best method alone: 1.135 on families seen, 1.209 on others. */
-static const int START[FORETOLD_COUNT] = {-1861401, -972894, 982344, 942706, -197951};
+/* 19180 problems of 97 families, seeds 395001 to 400094, ways as of commit bcd8cec6.
+ * Time over that of the best method alone: 1.134 on families seen, 1.239 on others. */
+static const int START[FORETOLD_COUNT] = {-937460, -1663367, 1151146, 1033678, -59474};
 static const short WEIGHT[FMB_FEATURE_COUNT][FORETOLD_COUNT] = {
-    {7239, -1236, -3348, 3727, -305},
-    {1498, -1690, -101, 1148, -108},
-    {-3694, 3225, -37, 585, 388},
-    {-2778, 1065, 25, 552, 49},
-    {-985, -1018, -1427, -176, 60},
-    {1716, 1141, 472, 788, -159},
-    {-6973, -5097, -1949, -169, 130},
-    {-9808, 4219, -1467, -599, -970},
-    {-2404, -2295, 791, 359, -61},
-    {-3233, 4047, 2977, -13390, 1632},
-    {3728, -940, -1768, -279, -293},
-    {-3547, -3231, 2806, -1140, 541},
-    {811, -332, 1635, -599, -55},
-    {157, -383, 475, -40, -10},
-    {168, 282, 505, -383, 162},
-    {1640, -1266, 1242, -2573, -211},
-    {2503, 523, 835, -651, -77},
-    {1058, -1592, 1075, -1108, 160},
-    {352, 584, -223, -358, 42},
-    {-663, 1300, -1516, -99, 147},
-    {4648, 293, -915, -485, -223},
-    {-444, 848, -586, 750, 195},
+    {6951, -864, -2999, 4053, -363},
+    {901, -1267, -38, 1292, -156},
+    {-2698, 3805, -193, 174, 334},
+    {-2112, 1441, 68, 108, 172},
+    {-1220, -1647, -1001, 26, 85},
+    {207, -114, 462, 396, 176},
+    {-5920, -2662, -1838, -536, -536},
+    {-8516, 4379, -2193, -922, -1265},
+    {-443, -1931, 524, 592, -173},
+    {4570, 3969, 1410, -18598, 192},
+    {1002, -949, -2076, -301, -350},
+    {-5471, -3167, 2553, 128, 401},
+    {922, -250, 1535, -667, -73},
+    {132, -352, 428, 162, -21},
+    {-357, 225, 287, -40, 88},
+    {1394, -1567, 1240, -2375, -290},
+    {2535, 459, 826, -687, -13},
+    {217, -1848, 1250, -858, 248},
+    {-146, 446, -150, -207, 14},
+    {-784, 1361, -1543, -208, 68},
+    {3450, 721, -814, -1484, -183},
+    {338, 871, -903, 478, 207},
 };
 static const tree TREE[] = {
-    {{{14, 2382}, {6, 66}, {19, 1040}, {11, 113}, {0, 512}, {18, 1059}},
-     "mlmmljnmnnkrnplfpntmmklnmlmmmmklmlmminjnorkklisoknspllmoolomltgllknokmopllnujmlmmknnmnmkkmlnm"
-     "nmjpkqmmmmomnmmlmlmnmmnjnjnlkoknnpplmvjoinwillmhkotmjkpolbkpsnlgommmmmmmmmmmmmmmmmhmnnmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmgfooommmmmkgjqmmmmmmrmomlmmmmm{illlmmmmmmlimmmmmmmllklmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmtjkllmmmmmommlmmmmmmmmmmmmmmmmmmmmm"},
-    {{{6, 252}, {5, 524}, {19, 960}, {14, 2026}, {1, 928}, {11, 56}},
-     "nknmmnlllmlkpmmoonmmdpmqmjokmmglnnmmkolmpkmmnnlkmmmnklmmtilljoonmooplmhjmonqomlmjlmmnknmnmimm"
-     "pmimonmjpjnmjokllkmkomlmlkmkjoknllppmpnpimljppnqlnmmjnplltijlmpgpqmommmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmminlommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmloknmmnlmmmmmmmmmmmmksjplmnlmmmmmmmmmmm"
-     "mqomlmkllnmolnkmmmmmmpqlnllmmmmvlimmmmmmm"},
-    {{{19, 768}, {7, 21}, {4, 409}, {11, 128}, {14, 1296}, {12, 1168}},
-     "lnnmmmmmmmlonqmmmmmmoqllmmmmmmponommmmmmnnmmmmmmmmonmmmmmmmmmmmmmmmmmmmmmmmmmmmmllplmmmmmmjlq"
-     "lommmmmpomklmmmmmolpkommmmmqlpmmmmmmmolnlmmmmmmqlolnmmmmmohojommmmmmmkonokrnnkklomqmjlmmrilmg"
-     "mqqmpmmnmjqmllmklmmljsonklnlnpmolmnnlmmfmnpnllllndgorlipkplpmllmiomomnolmmknknmlmmmmnkmmnlmnl"
-     "mlmlnkhmfmmlommmmnllmmklmmmnnonnknkmskmll"},
-    {{{14, 2382}, {6, 66}, {18, 1472}, {0, 576}, {11, 113}, {19, 1136}},
-     "komnloqmkllmkllmqjkmksmrmwmklmmlmmmsnnkmjlmnmkmpmnmmmmmmnommhmnqmlmmnmwjklmrmolmmlmmmonokmmlm"
-     "mmfjnrmmrlomullimmmmlmehpqmmnlmmlonomjrlllklmnmgpksmnnknmlmmlmmmmmmmmmmmnojmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmlnlmmmmmmjgnnnmmmmmulmmlimnomnjlpmmmmmmrjlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mkjgmlslommmmmmmmmmmmklmmmmmmmmmmmmmmmmmm"},
-    {{{0, 384}, {14, 1978}, {19, 992}, {5, 490}, {11, 46}, {14, 1376}},
-     "pkmnmplkmmqnlnmplkknlkqommmkmmlmmqnnmoqmmkkonjplnmomimllpjlmillmmlsommlmmpmmnlmmmmmmmllkmmmmm"
-     "mmloklmmmmmmlpmllmmmmmpoopmmmmmminpnnmmmmmhsqmmmmmmmjqoolmmmmmhooomlkommmmomnmnmmlnkmjnllmlnk"
-     "okomjnmnnklmmmnlmmmnnlllmqkmmmrlimjjolmqknjmklnonxkoimmmmmmgnnpmmmmmmknlnmmmmmmkojommmmmmllml"
-     "mmmmmmkjmnmmmmmmonllmmmmmmskklmmmmmmqjolm"},
-    {{{6, 252}, {4, 565}, {0, 384}, {7, 16}, {19, 928}, {14, 1376}},
-     "mmnonlnlompmnnnmoonmqmmnmomlknkmhllkrommlnlmminlnmmlommqknkmmmmmllmmmnjolmlnnmmmmmmmmmmmmmilo"
-     "pmhnnomqlmnmqjklmmjlnnjnnmmmmmmmmmmmmikqpmkgomnmjolnninkmnmknnnllmlmlonmmnkllnmnmmnoolmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmirkpmomnmmslkmmmmmmmmmmmmmmmmmmmmmmmmmmmommmmimmomislommmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmnlnmmrnilmmmmmmmmmmmmmmmmmmmmm"},
-    {{{12, 1934}, {2, 1104}, {19, 1320}, {8, 170}, {14, 2088}, {12, 832}},
-     "nmnmmmmmmmgonrmnmmmmlojpmnqklmlqiolmopmmmmmmmoqjlmmmmmmrkimmjnlnllnlnmlnlmmhlnnn}lnhmhmnkmmmm"
-     "mmmllmmmmmmmmmmmmmmmmmmmmmmmmmmmbjosmmmmmmlilmmiklmnmlmmlggqnnkglnnmmmmmkmnommmmmmrllnmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmqknmmmmmmkpjommmmmmlmmnmmmmmmlmmnmmmmmmiollmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmgogmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{19, 640}, {0, 576}, {12, 1040}, {19, 1288}, {7, 21}, {14, 2088}},
-     "qpmkmmmmmmqlplmlnmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmolo"
-     "kminomlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmlnmjnjommlmmmjomnmjmllnj"
-     "ipnnmpnlmknplnllpmmplnmlllklmloplmmoknmnlkommokllkmlmmnnnmminmnmlmnmminnpmzmnimllmmmjmmomlkmo"
-     "mspikmopjnmpqknmomlomelnqnojklmroknmnllpm"},
-    {{{5, 787}, {12, 1644}, {16, 1520}, {15, 704}, {14, 1772}, {5, 524}},
-     "mmmmmjlnmmmmmmmnmmmmoskkmplolmnonmmsjnmmmmmmmmmmmmmmmmmmmmmmknjmjmmmmmjhonnmmmmmmlkpnjkpnmfpn"
-     "nmmmnmmlmlmmcjotmmmmmmiilnmjmmnmppkmmlmlmmiphommmmmmmmmmmmmlmmmmmmmmmmmmrnknmmmmmmqmjnmmmmmmf"
-     "lmnmmmmmmlnhmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpomlmmmmmmmmmmmmmmmmltkkmmmmmmgnhl"
+    {{{6, 54}, {14, 1814}, {11, 47}, {5, 533}, {4, 398}, {7, 21}},
+     "nplnnmmmmmmpkjmlrknjmmmmmmmmmmonnmmmmmmmmvgjmjulpmovfjnmsillxknmmslnlmijlommmmmmlokomlmmmmjfs"
+     "mpkjmonmmmmmmmmmmnmmmmmmmmmlrkkmjolpmxmolmopmlmrknlmnmmnmhkmommmmmminlqmknommmiqmnojnmnpmknml"
+     "nmnmmksmmblfimmnlmmlnmmmmlnmnnmlmllnoommmnmnfirsmlloonfqjsmdnoonnmnkmkomnmlohnmiqjqmqomkmpnmm"
+     "mokknmmknlnpmojmoolkmnlonmkklmmkfrnmkmnmm"},
+    {{{1, 1304}, {6, 54}, {18, 1052}, {0, 576}, {15, 704}, {11, 113}},
+     "mqknklhkmnmsklllvfkmntmplkknmmpmlpmppknmjplnmpmmlmlkomnxlnkmhomrmklmnmokkomqklmmmknmmllmnmrpn"
+     "imknkomorlnmmnmlmupmkmahrsnmnmmmolmkmrnommklnnmiplqmommkmnmlmmofommnmmlmmmmmmmlolnhjmommmmmmm"
+     "mmmmmlmnlvlnkmmmmmmmmmmmhbqoommmmmmmmmmmmmmmmkmmmmmmmmnmmmmlmmnmmmmmmgklonmmmmmmmmmmmmmmmkmmn"
+     "mmlpomoksrmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{6, 252}, {12, 1644}, {0, 384}, {19, 992}, {18, 1163}, {1, 928}},
+     "omlomononmnmkkmpklqnkllnnnqjmlkrrlmlomnnllmmmlnnmmjoknmklnnnokolmmollmslokmpjmmmmmmmmmmmmmmmm"
+     "mmmmmmmhmmpmiplomfqopmkkmnmmmmmmmmmmmmmmmmmmmmmiiqmngknomuhmlmphmmmllnpnmmmmmpoljmmmmmmlmnmmm"
+     "nllmoopkmnnkmmomkommmmmmkqinmlnmmmmlommsklkmtllkmrkjnmmmmmmmmmmmmmmmmmmmmmjukommmmmmhunolmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmunkjmmmmmmqohlmmmmmm"},
+    {{{19, 768}, {7, 21}, {16, 768}, {0, 576}, {15, 576}, {11, 128}},
+     "monompqmmmkmmnmmmmmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmplolmrmnjmmmm"
+     "mmmmmmmjlqlmomnjmmmmmmmmmmmokokmoiojommmmmmmmmmiopnlonmnmmmmmmmmmmmlmkomjommmlklnmmmmompujpmk"
+     "qjlmolnkmnlplmmkommflprmqmokmjnkomxljkmkmmmmsknnmkiopmkmlnmmlllmnknmmjhkoninnmmkmlmmjmnomlimm"
+     "mlmlmmnjnlnmplllmomkmkrkpmolmmnqmmomnqlom"},
+    {{{1, 1304}, {3, 1312}, {8, 170}, {19, 1088}, {6, 67}, {18, 1304}},
+     "knmnlimnommmmmmmmllmqolkmqmolmmjqmmqlolmmmlmmmmnmmlljnmlomnmmsiklmqqmnoomnmlopnmjplpmnmmnmook"
+     "omnlmnmorjmmtkjmmnojmmjqjommmmmmmmmmmmmmmmmmmmmkpllmikpnnhjmrmjimommmmmmmmmmmlmrnnqiprmpkmmmm"
+     "mmmmjlnnmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmmmmmmkmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpknlmmmmmmklmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmjjnnmidoonmmmmmmmmmm"},
+    {{{6, 252}, {0, 384}, {12, 1264}, {7, 21}, {11, 128}, {3, 1120}},
+     "lmlnmmpnnnommnnnqklnomlmmmnmmmpnlmmolnlmllpmmipnomkqmnlgjosmfmgmmjmmnnmmnmmlmnnmklmnmnknkmmml"
+     "mmspkjmknmnmmnmmmmkmlnnnmmmpjplmskojmhopmmfjmqmhmhjmpmkmmhlqnmrmmmmmnjmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmnopkmjumommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmftkpmmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mslklmsnjjlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
+    {{{19, 640}, {0, 640}, {13, 832}, {4, 554}, {0, 512}, {7, 21}},
+     "romklrlolmmmmmmplpkmmmmmmpkplnmmmmmmiokmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmlmolmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnllmmmmmmlmmnmikmmnk"
+     "lnmnnljlmljlomnmplmdnhjmtlklmonmmminnompmlnmoinnmrljmnmmmmmmmmmmllpnmkonnmmmmmmmmmmmollmmlomp"
+     "mmmmmmmmmmmmsjnmlujolmmmmmmmmmmomllmrqjnm"},
+    {{{18, 329}, {5, 787}, {2, 1024}, {3, 1312}, {19, 1056}, {0, 384}},
+     "omjmmmnlmlopillknllmmmmmmkomnmmpkmllqkmmmmmmmmmmmmmnmmmnollmmmmmmmmmmmnmlmmhkmommmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmnmlmmmmloommokolmmmmmmn"
+     "nlomipkomqnllmmmmmmmlmmmmnlnmsjolmmmmmmmmmmmmknonkhnnmnpjlmonjommnlmmuknlmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmlnknmjnmjmmmmmmmmmmmlokmminglm"},
+    {{{19, 768}, {15, 256}, {5, 505}, {4, 384}, {21, 0}, {11, 47}},
+     "mkomnololnkmnmmpnmklnjplmpmnmllmnnmpknknlmmlmnmnlnionnmknmlmlmmmmmmmmmkmmmmmmmmmmmmmmnmmmmmmm"
+     "mmonlklmmmmmlnnnmlnmnmoknknmmmmmnnppnimmnmlnmkmmmmmmmmmmmlmmlmmmmmmkmmkmmmmmmjmmmmlokmmnmknmn"
+     "pknmkllnnllmnmjmmlmmolmmgrmomiolmmomjlmlpkomipkommnmnmlknlmlmmnmhpkqmknkmmkkmmnmokmllmmnmmlml"
+     "mmlkomokonmmnjnmmnkmmklmlmkloomololmlkomm"},
+    {{{5, 329}, {6, 67}, {14, 2580}, {8, 85}, {12, 1104}, {11, 113}},
+     "mjomlmhokmmmmnnmmmmmjnlnlmmmmmknjnjmmmmmmmmmmmmmmmmmmmmmmmmmigpnnmmmmmjhkonmmmmmpkolmpknknmmm"
+     "mmmmmlmplmllommlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkpmpmknmomsolmmqojmnnommmn"
+     "ollmqpmjnkmllmilmnmnknmmllmmmvjklmlmommmjnommjnnmtlolmmmmmmnmmlmmmlmmlnonmlmlnmmllmmplnkmhkoq"
+     "mfnlpmlkmmmnmlnmlqlkllmpmmkklomqmqlmknolm"},
+    {{{13, 1824}, {4, 565}, {18, 704}, {14, 1580}, {15, 384}, {7, 17}},
+     "mommmnmnlmpnnmmmnkmmmmmmmmmmmmmnkmmmnnmmlmmnmmknnmlkonmkkkmlkokmmlmmmmnlmmmmnmmmimommnlmnnilm"
+     "onlmkmmmmmmmmmmmmjlkmmkmknkflqnnnjopnglnpmljmlnmklkmqjkkmjjonmlmplnmmmmmmmmmmoqikmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmgojlmmmmmmklmnmllnnmklmnmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mplmlmkkpnnosknmmmmmmlnlmmpmllmmrlnmmmmmm"},
+    {{{6, 252}, {5, 744}, {7, 17}, {12, 1040}, {0, 512}, {14, 2171}},
+     "kmlnmlmlnmmmmlmokmomllpnmmmolmnmmlmukllmnmmmmlnmlmlmnmmjmnpmmllmmknolmonkmmpklmmmmmmmmmmmmlmm"
+     "mmmmmmmlmnmmkpkllqollmnlknmmmmmmmmmmmmmmmmmmmmm_pdkmmmlmmjnllmnmlmmmnmmmknmnmmnmmmlnmnmoplkmi"
+     "olnmnpknmjpkqmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmpnokmplkmmslmlmnmlp"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{4, 396}, {21, 0}, {8, 128}, {11, 46}, {5, 534}, {7, 16}},
-     "hlmomllnlmknnlmjllmmpmnonkmmnmlmrpmmmllmmmmmmmmmmmmmmmmmmmmmmokkmlnjmmulolmqkmnmklnmnjonnmmnj"
-     "nmhqlpmlollmnnllmkolmmhlnlmjoiqmkomommiknmmmmmmjokmmlmjmmoljomkkknnflknmnjmlmlmommfnhinomkmmm"
-     "nlmmhkpomrnmnmonqlmmlslnpnolmlmmmmponjmlqllljlmqmmmllmqkokmlnmomomnmmnmolmokmkmolmlmjmolmgkqk"
-     "mlknlnlmlnltnnlmmmmmmmlmlmlmmlmjjlnmjmlnm"},
-    {{{19, 768}, {15, 256}, {18, 554}, {0, 384}, {12, 1040}, {0, 512}},
-     "soommmmmmmmmmmmmmmmmomnlmnmnklmmmmmmmmmmrlnlnmmmmmmmmmmmmmmmmlnkmlmomnmmmmmmmmmmommnmmmmmmmmm"
-     "mmmmmmmmmmmlmnmllmmmmmmmmmmoomommmmmmmmmmmmmmmmlnmmmlmpmmmmmmmmmmmmnnmnnmmmmmnmnommmmmmmmmmnk"
-     "mmlmlmmnmmnmnnolllnmmmmmnlkmmmmmmmmnlmmkmlmmlmjnmkqjomnmknlmmmmmmmlommmmmmlmllllmmnmnmmmmlnkn"
-     "mmmlmmmmmmmknnmmmmmmmklmmmkmmnmmlokmrkllm"},
-    {{{18, 1522}, {4, 554}, {19, 1200}, {0, 640}, {11, 168}, {12, 1264}},
-     "mmmmmnlnlmnmmmnjlpommpnnmrtjomkknkmlknmmppnlmpplkmorikmikkomulnlmokmmmnlnmmkopimmkmmmlknnmqkm"
-     "lmsnlnmipmpmmqlomtnlmmpmlmmllnmmkmlnmpnnkmjjmomnmmnmollmmmmmmmoolomjplnmomlmmkollljqmmlemnnmj"
-     "olnmmmmmmmmmmmqmnmlrlnmmmmnmmmmmmmmmmmmnmmmmmmmmmmmmmmmlmlmnlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mnnmlmlnkommmnmmmmmmmlmmnmmmmmmmmmmmmmmmm"},
-    {{{6, 252}, {0, 576}, {15, 576}, {16, 704}, {14, 1772}, {21, 0}},
-     "mmnmnnnmmmollmmknknlllmmmmkonnnmllmllmlmhlopnjlmomskoqmlljnmmoklmonmmmnoommlmmmmklolmmollmmjp"
-     "jnlnlmllpmnlppnnnlnkpmjnlomomnmmjkmnmnkommpinkmolnnmkolnmokllmrllnmmmmmmnlmnmnmnmmlpkomklnnmo"
-     "nmmmoollmlnllmmmmmmlllmmmmmmmplkmmnmmmmjnlmmmokmmnollmmmmmmmnmmmmmmmmipnnmommmmmmmmmmmmmmjpko"
+    {{{10, 64}, {6, 67}, {19, 1040}, {11, 113}, {10, 128}, {18, 1163}},
+     "monlmilnnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqolknnllmmmmmmmmmmmmmrikmwlollmmmmmmmmmmllnnmlnlmmmmm"
+     "mmmmmmmlnmnmmplklmmmmmmmmmmkmllmonlmmmmmmmmmmmmhmmsmikmnlmmmmmmmmmmknnnllnmommmnnljnnolllmmmm"
+     "mmmmmjnmnmimmmmpkmllqjmmnmnmmklonnjklomplokmnpllmlmnmmllmmmnllmmnnmmllplnmmnmmmpmmlmmlmmnmjlk"
+     "nrloknomolmolllnloonmhkopnrkokmllolmnmlkm"},
+    {{{0, 384}, {14, 2339}, {1, 928}, {19, 992}, {5, 505}, {11, 47}},
+     "nmlnmomlmmllommmmlomlmlommmmmmlomlmnmnnmmknmmnmllmlmnnmnopnmlnlomnoilkmqlmmnmkmmmkmjmlollmipo"
+     "lmjommmkprmmjoqnmipoomkpnmmmmmmmnllmmmmmmmqkmsmllmnnlmmmmnkknlllnnmlmnnmmlmmmmnlmmlnmnmplnmmm"
+     "lmmmnknkmmmonmnkokmnnnlmgnlpmjmnmmmmmllkqkmlnlmjmnknmmhonqmklmmmknlommlmkmnlmmmlnplmqklmmklnl"
+     "mimmmlplnmmkllomljnlmijlonslnlmokknmsjnlm"},
+    {{{0, 576}, {19, 1168}, {13, 1024}, {11, 113}, {18, 1163}, {21, 0}},
+     "llmmmmlmnmommlmlnlmmnnnmmmmlmmplnlmmmnlmgmlnnokpmmplmjmplmlmrnlmmjmpomonkmmkmolmooojmonmlmppn"
+     "mmklmnmjpjmmloklmslkmmnoqlmllknmlnmlmmpmmmnmknljmlrmilmqmjklnmkjmmmjnnmmopmmmknnpnhnnomnknmmm"
+     "nmmmmmlmmolmlmnsknmupjlmmpknmkolomopknmhkpnmmolnmmmmmmunllmqmmomomlnmlklomjkopnhmlnmoknkmpmnm"
+     "mqklimnlmlmnlmlmmmmmmmmmmmnmmmmmmmmmolmmm"},
+    {{{19, 704}, {18, 496}, {0, 384}, {14, 1732}, {15, 384}, {1, 768}},
+     "pommmpnnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmpnmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmqnmmmpopmnmmm"
+     "mmmmmmmplllmpkmnnmmmmmmmmmmmmomnnlolmmmmmmmmmmmlnmnmmlolnmmmmmmmmmmnnknmnnnlmkmimmonllmmmmmmm"
+     "mmmmmmmmmmmmmmmnlnmlnmmmjlommnnmmmmmmmmmmmmmmmmmmmmmmmllnommlonmkllnmmlkmmnmllmokjlmkqommlnnm"
+     "mmlmmmkmmmmkknmmmmmmmlnknmkmmmmnmnkmnlmmm"},
+    {{{5, 699}, {7, 21}, {13, 896}, {15, 256}, {10, 54}, {14, 1732}},
+     "kommmipmnmnomlmlmmlmmmlmmnnlnmmmmmnllmmmklmmnjoimmmmmmmmmmmmjmoommlnmmpmpmnolmkmommmmlmmmmnmn"
+     "lmnlnlmnmlnmlmmmmllmmmmnmmmnmmpnpjllmnplomlqjpmjljjmmmmlmooonmslnlmmmmmmlnmmmmmmmmmmmmmipipmg"
+     "piqmmmmlmnnpmmlommmhplpmmmmmmmmmmmpmnlmomlmmnmmmmommlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlnko"
+     "mmmmmmmmmmmmmmmmmmmmmboekmlmkmmlmnmmpmnlm"},
+    {{{4, 554}, {12, 864}, {11, 13}, {19, 1088}, {0, 512}, {18, 1163}},
+     "jlloljnmnmmonnmhoopmgnjqmkpkomgklmmjnlnmnmmmlolllmmmnmmmmnnmmmmlmknnmmskokmqkolmjlmmmmmllmqnl"
+     "lmlolpmqoolmomommtlnjmqkllmmmmnmnmmkmkmmmmnmmlmmnmlmnpommlnmnmrlllmmkqlnojmmmmjolmmkmllkllmml"
+     "komnlmmmmmlmmmnlnlmmmmmmmlnlmnlmlmklmmnmlnmmlmmmmmmmmmjknnnmmmkmomlpmkolpmlmmmmknmmmmlnnlqjkn"
+     "mmlmonolklmkllnmomlnmkmkomjnnmmlllnmtklmm"},
+    {{{18, 448}, {5, 329}, {12, 1072}, {8, 48}, {7, 12}, {1, 832}},
+     "mmmmmmmmmmmmnmmmkpjnmmmmmmknlnnmmmmmmnmmmmmmmmmmmmlmmmmmmmmmmmmmmmmmmmlmmmmmnlnjmmlmlhllnmlmm"
+     "mmmmmmmplmknpokkmnmlmmnnlnlnmonmloklmooknmnomommmommnmmmmkljmnmpklmmmmmmmmmmmmlmmmoinkmmmmmmk"
+     "jomnnmmnmmmmmlmmmmmmmmmmmmmmnllmmmmmmmmmmmmmlmmmmklknlkonnmdnkpmmmmmmmlnmmmmllmmmmnmmnlmmlmmm"
+     "mnmmmmklkmmllmmmpmlmmklolmolnlmlmnmmonmlm"},
+    {{{14, 2405}, {1, 1056}, {0, 512}, {19, 992}, {13, 384}, {11, 102}},
+     "nlnmmmmlmmmmmmmmmmmmnlmmmmlklnmmmlmmmonmnmnmmmmmmmlolnmnmmmmmnlomlnkmnqlmlmpkmmmnnpmmnnpmmkmm"
+     "omnmmlmpoolmlokklknknmmllmmnjpnmnmnlmjnnmmmonmmlkmmminnlmommlmiknpminmlmkkknmlmmlmmnmlmknnmmk"
+     "monmkmommjnnnlimnpmjkmlmjnmpmkkommlmlomnnmmmpjmnmnjnkmnlmomolnqmmmmmmmmmmmmjmnmnlmmmmlmnmmmmm"
+     "mmlmnmnmmnmmmmmmmmmmmlklnmqkommnkmmmnmlmm"},
+    {{{0, 640}, {19, 1200}, {4, 409}, {14, 2267}, {15, 384}, {13, 640}},
+     "nnnmmkolmmlmmnmnmmmmmmmomiomommlmnmnmlmlnlnmmmmmmmmllmmmlommllmmmmlkmmkonmmomolmmmmmmmmmmmmqi"
+     "mmjojlmmmmmmmmmmmrmlllmmmmmmmmmmmlnmmlnmmmmnmmmmmmmmkmlnmmlmnmmllnlmmmkminlmmlonmmqqklmimnlmm"
+     "mnlmlmmnmnmmmmmommmmrlnmpmmnmmpmnmjmnomknmomjlmnmskmlmmmmmmmmmmmzlnimmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmomlnmgknommmmmmmmmmmlmmmmskljm"},
+    {{{0, 384}, {14, 2339}, {15, 256}, {12, 1072}, {0, 512}, {7, 0}},
+     "pnllmpmmmmmmmmmmmmmmmlklmmlommmmmmmmmmmmmmlmmnmlmlmmmmmmmmmmmnmmmmnkmmmmmmmmmmmmmmmmmnkmkmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmnmlnmknnmmmmmmmmmmmmknmnmhnpnmmmmmmmmmmmlnnlmnmnmmlmllmnmmmmmlmlmq"
+     "klmmiqknmmolnmkmlmmmmmmmmmmlmlmmnmnmnmmlmmlmommlmollmmkonnmmlmkmknnnmhonoljnknmmlkmmgompmlmlo"
+     "mjolomlmmlnlmnnmklmnmnkmlmknnlmrllmmoklmm"},
+    {{{14, 2760}, {6, 72}, {4, 338}, {21, 0}, {11, 27}, {10, 97}},
+     "mmmmmmmmmmlkolmwknjmjmnlmmmmmmmllmmnklmmjjnknnhrknnoknmmomllpnmlmlmmnmnommmkmmnmnllmlmmmmmmno"
+     "mmllommiolnmmmmmmmnklmnmlmmkmlmmnlnlnmmmnmnmmlmnmnmmknlnmllnmmmmmlmmmmmmmmmmmmmmmmlllnmmmmmmm"
+     "mmmmmmmmmkhmmmmmmmmmmmmmmmmmmjnnlmolmmmljnnmmmmmmlnlnmnmmmmmmmmmnmmommmmmmkljnmmmmmmnplmmkmlm"
+     "mnmmmmolmmmollomlnmomollmmnllmmmommmknnlm"},
+    {{{4, 576}, {19, 1540}, {13, 1824}, {10, 93}, {21, 0}, {5, 445}},
+     "nnmmmlmmmmmmlmmnmnmmmmmmmnmnlmnmmmmlmlnmmmmmmmmmmmmmmmmlnjmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmlkolnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmknmmljnmkmmmmklmnmmjolnp"
+     "mnlnkmmnmklpmmmmmmmnmommmmnmmmlommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmkknkmmmm"
+     "mmmmmmimkommmmmmnpinmmmmmmmmmmmmmmmmmmmmm"},
+    {{{10, 156}, {11, 128}, {4, 409}, {18, 1052}, {6, 80}, {5, 432}},
+     "mmmmlnnmnllmmmmmlmmmlmolmnlpjmmlmlnlmmmmmmlmmqonkmlllmmllmmmlmmmmmnmnmnmllmnmmmmnnlmlmpklmonm"
+     "lmmmmmmnlmmmnmmmmkmmnnmnmmmkimmnkmmmmmmmnnimnomomllmuknkmonnlmllmlmoklmllolpnnlnlmlmkommnmmmn"
+     "ojmmmmmmmlmkommmmmkonnlmonmmljpkokjpmomknolmlomnmipmmmmlnmmmkmnnlmmmmmmlnmnlmlnkilnmmmnmmloln"
+     "mmkoknmmmmmmmnlmmmmmmllmlmmmmmmllokommmmm"},
+    {{{11, 238}, {10, 69}, {19, 1540}, {4, 584}, {21, 0}, {6, 116}},
+     "kmlomkmmmmommmmmmmmmgmjnmpmlmmnmmlmklnnmmmmmmmmmmmmmmmmmmmmmmmmmmjmkommmmmmmpjnmmmmmmnmnmmmmm"
+     "mmmnlmmmiolnommnmkmmnmlmommmmmmmmmmmmmlomnmmmmmmmmmmmmmmmmlkmlmmmmmmmmmmpnllmmmmmmjnnmmmmmmmo"
+     "ommmnmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmsnnlmkjnmnhlqkmmmmmmmmmmmmmmmmmmmm"
      "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{0, 384}, {14, 1922}, {1, 960}, {19, 896}, {5, 506}, {7, 0}},
-     "mnlmmpmmmmmmlommmlnmlllmnmlknmlmnnmimimnoonlmonolnponqmmmmmmlojnmomlllnnommnpmlmkllmmmnlkmmlk"
-     "kmlnnlmlmmlljpqmmjpommjpoommmmmmmmmmmmmmmmmmmmmmnjmmllnnnqkmommmmmmkmmlmmlmmmjnmmmmmmmmpjnlmn"
-     "mmmmolnnmllmlmmmmllnmnlmjnnmmlmnlmmpljnkolmllkolmllmlmjmmmmknmnmiplomknlmmlmnlmnmmlmollmmolmm"
-     "mmmmmmmipjnnmmmmmlllmloklmklmmmnkmnmolnmm"},
-    {{{5, 688}, {7, 21}, {11, 139}, {10, 157}, {15, 704}, {18, 1376}},
-     "mlnmmkmmmmrmokmnlnnmkmkomllknmlpnomnnimmnnmnmhlolmjmknmojlolmllmmmmmmmkmkpmmmmmmnmmmmlmmmmnom"
-     "mlmllnmlpmmllnnomknnmmlmmmmnlmlmonnllknmnmmnpmmmiolnmmmmmlhmpnmmmmmqmmmmpnmnmhplkmnjilmmmmmmm"
-     "mmmmmmmmmmmmmmjmnnmiplmlnmlnmoplmmmmmmmmmmmmmmmmmmmmmm^ocjmmmlnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
-     "mlnnmmkmmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{12, 1934}, {14, 1376}, {3, 1584}, {18, 720}, {1, 832}, {12, 1424}},
-     "nlmmmjmkmmmnmmmglmqmllmmmmkpnmnmnnommmmmmmmmmmmmmmmmmmmqsqemmmmmmmmmmmmmmmmmmmmmoqlmmsmmmmqmn"
-     "lmpnojmmnmmmlmolmmlmmmnkllmmmmmmmmmmmklkmllmknkmmmmmmmmmmljomnkkknmmmmmmikmonmmmmmmmmnmmmmmml"
-     "lommmmmmmmmmmmmmmmmjnlmmmmmmmmmmmmmmmmmnmllmmmmmmmmmmmmmmmmmmmmmmmmmmjohmmmmmmmnolnmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmlphommmmmmmmmmm"},
-    {{{5, 341}, {8, 51}, {16, 896}, {21, 0}, {14, 1336}, {12, 1168}},
-     "omnllmmmmmkjnlnmmmmmolmlmmmmmmmkmkmmmmmmliqkmllmmmmgnjmlkmmmlnmnmmmmmmlnnpmmmmmmomonlmmmmmlll"
-     "nmmmmmmpnlklmmmmmnmnnmmmmmmnkmlkmmmmmkmllnmmmmmklmollmlmlkmmnmjlinklmonmemmlmnmmmmnlmkmmmmmmo"
-     "lpnmlnmmmmmllmjlomnlojommmlomqmknmlolnmllonmnnmnmmmlmmmmlnlnmpnmnmmmmnjnlmlnknmnllmnlllmmnljl"
-     "mmnlllnnlmmlpnlmmnnmmnmklnnknmmnnnlmomolm"},
-    {{{19, 768}, {15, 256}, {4, 396}, {18, 1414}, {0, 512}, {13, 800}},
-     "nnnlmmmmmmnlnknmmmmmlnmnmmmmmmknmnlmmmmmomnlmmmmmmmlnllmmmmmmlmlmmmmmmknnolmmmmmonmommmmmmlmn"
-     "llmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmlnnmmmmmmmmmmkmmmmmmmmmmmmmmmmknmmmmmmmmjmmlminmlmkonnmm"
-     "mmmmknmnminmmmnmmlnmmmnmmmlmmnpkommnlnmlmimmknmnmknjommmlnmkmnmmmmmmmomllmknjnmnmllmholqmnnko"
-     "mmmmlmkmnmmmmmmmqnmjmlmnlmlmnmmlllpmtjmmm"},
-    {{{11, 238}, {2, 1104}, {6, 74}, {7, 11}, {21, 0}, {12, 1232}},
-     "omnkmspkkmopjmmnmlmmlmnmmnpmmmmnmmmmnkmmlmnnmlmnnmmmlmmnmnmmmmmmmlmkmmmmmmmnlomnsmnkmikmnmkkp"
-     "nnmjmnntmmlmmmmmmmlmlmmkknmmmmmmmmmmmmmmmmhmjlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmomlmmm"
-     "mmmmjinnnmmmmmqonmmmmmmmmmmkmionnmnnnmmspjnmjlqloclpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpqpf"
-     "lmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{3, 800}, {0, 384}, {19, 1088}, {11, 139}, {10, 128}, {5, 397}},
-     "onmlnmnmnmqmmmmmmmmmpommnnnmnmnmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllomojnnmmmlm"
-     "mmmmmmmpoolnnollmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmlmlmnmlmljolnmnmmnnm"
-     "nnomnmnlnlljnmmnlmmlomnmnlnnmkpmnmmmnmmllmommmmmmmnkmmkmmmmlmmmmmnmnlmnlmmnlmmmmmmmmljnknmlnn"
-     "njojmmplmlmmlmmmrlqkmmklmmlmmnmnklnmlqjlm"},
-    {{{0, 640}, {19, 1104}, {16, 1104}, {12, 1320}, {11, 113}, {18, 1059}},
-     "mmmmmmmlmmlmmmmnlmlmjlmmmnlmlmlnlomjommmljolmnimknnlmmmnmmnmolmnmnllmmmmmmmmmmmmplokmnnnmmnpl"
-     "kmomplmnnnlmnmmmmhnmpmeknomnnnmmlmnmmnlllmqnmmmomllmknlnmkmkomjjkomnpnlmhnnnmlmnmmomlllntloll"
-     "plnmmmmmmmlmmmkpmnmkompmlnmmmnmmnmkmmmmmmmnmnnmmmmmmmmrlmlmommmmsmllmomlnmpmmlmmmmmmmmmmmlmmm"
-     "mnmmommlmnmlmnnmrkmmmrnlmmollmmjnnompklkm"},
-    {{{5, 787}, {16, 384}, {18, 720}, {0, 384}, {15, 384}, {12, 928}},
-     "onmlmmmmmmlmlommmmmmoomkmlmmimknmnmkmmlmoomommmmmmnmlmmmmmmmlnolmkmmmmkmonmmmlmmomnnmnnmomnmk"
-     "mlnllmmmmnmmmnmnmlmlnmnmmmmnlmlnmmmlmlmlmmlnnnmmmnmmlmlmmmmmnmnlmlmmmmmmmmmmmmmmmmjklnmmmmmmm"
-     "mmmmmmmmmfjonmmmmmmmmmmmmmmmmlmjnmmmmmmmmmmmmmmmmljllmmmmmmmmmmmmmmmmprklmmmmmmmommmmmmmmnokm"
-     "mmmmmmmmmmmmmmmmmnjmmmmmmmkmmmmmmmmmpllmm"},
-    {{{12, 1934}, {0, 512}, {11, 46}, {12, 1104}, {14, 1448}, {7, 21}},
-     "mlmmmllmmmkmmnmnmmlmnlqmmjljlmmmmlmnmolmmmlmmnmlmmnmmmmmmmlmmmmnmmmmomjmmnmmnlmmiklmmlmnnmknm"
-     "omknnomrnklmsoknmmmlnmomlnmmmmmmlmmnmnmmlmnlmmmlmnmmmnmmmolmlmplllmmmmmmmmmmmmmmmmmmmmmlmmmml"
-     "lonmlpknmknnmmmmmmmmmmmmmmmmmmmmmmmmlnmmmmmmkmmnmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmmmmmnnjkmmslll"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{11, 238}, {19, 1368}, {4, 576}, {10, 76}, {21, 0}, {4, 362}},
-     "kmnkmkmlnmlnlmmommmmnlnnmmnmmmmmlmmmmmmmmmmmmollnmmmmmmllnnmmmmmmniolnmmmmmkmnmmmmmmmonjmmjmj"
-     "mmllknmmmmmmmlnmmmmmmmmlnmnmmmmmjnlommmmmmnnkmmmmmmmmmmmmmmmmmklknlnnmmmqokmmmmlmmflrlmrnnmmp"
-     "nknmmlnlmimpmnmmmmmnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmpqpgmmmmmmmmmmmmmmmmmmmm"
-     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{14, 2088}, {1, 992}, {19, 1088}, {0, 512}, {13, 832}, {11, 0}},
-     "lmmnmmmlmmkmmlmmmommnnmnmmlmmmpnklmmmmmmnkokmnlommlnmmmmmlomrmmmmpkmlmnkplmqnmmmmkpnnnmmlmjmn"
-     "mmkmmlmlmnlmlmmmmkkommjomnlonnlmmnklmhokmmmmnomllmllkmmmmllnlmsonimlolmmmnmmmnlolmmnnlmjnnoml"
-     "omomkolpmmlmlminpmmmnommnmmnmjlmnmplllmolmlmrjmmmqlokmnklnmvlnrmnkjmmmmmmmjomnmmlnkmknlmmmnmm"
-     "momlmmkmmmmmlkmmjmlommmkmmollmmmmmmmolmlm"},
-    {{{18, 1537}, {15, 256}, {1, 704}, {18, 812}, {5, 506}, {3, 992}},
-     "ommnnonmpmolnmmolnmnpllmnolllmlolnmoljlmnmmmllmnlmlnmlmoomnnmmnlnmmmmmjmmkljnmmmmlkmlmlknnnmo"
-     "nmjlmmmlnmmmkoommmllkmonmlmlmmmmmmmmmlnmnmnmmlmmkllmmmmmmmmmmmmlnmmmmmmmmmmmmmmmmmmmmmmmmmmml"
-     "nmmmhsnqmhoiommmmmmmmmmmmmmmmmmmmmmnmnllmmlmlmmlmmmlmmmmmmmmmmmmmmmmmmmmmmmmmmmlnmnmlmnmmlmon"
-     "mmmmmmmmmmmmmmmmmmmmmmomomkmmnmnnlnmpmmmm"},
-    {{{12, 800}, {7, 56}, {11, 128}, {10, 128}, {6, 74}, {4, 384}},
-     "komolimmnmlmnnmgnlnlmmmmmmlolmmlmmmonmmmmmmlmmmmmmonmlmmnknlnllonmmmmmmmlomlmnmoklolnmlnmmmln"
-     "mlolnmmklnmnmlnmlnlmmmnmnmlmmnmmmmmmmommmmnmnnnolnmmllnkmmlnnnlmokpqmmnmnolmmlmmmmmmmmmlokpmm"
-     "lnmnlllnmnommmllmlmmmlmmmnlmmjlnompollmllllmknlmmmlklmmmmlmjnmnmknlnmnmlmmnmmmmlolnmqmlmnmnmm"
-     "lmnlmmplllmmolnmnmmmmnkoomljmlmllnmollmln"},
-    {{{6, 252}, {15, 256}, {4, 603}, {12, 928}, {2, 768}, {14, 1772}},
-     "nmnmmmmmmmkmmlmmmmlmmnmmmmnlmmmnmkmjmnlmmlnlmmjmkmmmmmmmmmmmnmnompkkkmmmmmmmmmmmlmmmmmnmmmlnm"
-     "nmmmmmmklmnmmlmlmomnlmnmmmmmjolnoimkmlmnnmmmmmmnkmmmkmnnmknlnkjlknmmmnmmlonmmmmmmmmmmmmjnnmmg"
-     "rkpmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmllilmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmommlmnllmmonln"
-     "mmmmmmmmmmmmmmmmmmmmmonlmmlnmmmmmmmmmmmmm"},
-    {{{17, 256}, {0, 640}, {4, 480}, {11, 113}, {10, 149}, {16, 800}},
-     "mmmmmolnlmllmmmmolmlnmmmmjnlmmmlmnnllnkmnmmlmmmmmmnmmnllomnmnmmmnnlmmmnmmlnljnkmkpnlmmnmmmmmm"
-     "mmlonollnmkmjlommololmnmlnmmmmmmmolpmmmmmmknmnmmmmmmqnlnmmmmmmmmmmmklmpnmlmnmlmmmmmmmmmlnkoll"
-     "lmnmlnlmmmmmmmmmmmmmkmlnmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmllmmmmmmmmmmmmomknmrmklmlnlmmmmmm"
-     "mmmmmmlnlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"},
-    {{{0, 384}, {5, 647}, {7, 21}, {18, 640}, {15, 384}, {11, 75}},
-     "lnonnnokmmonkmmnmmmmlmmmmnnmnmmnnnmnlmmmnmnnmonmmmmlkmlollmlolmmmmlmlnlnmmmlpmmmmmmmmmmmmmkkm"
-     "mmmmlnmmmmmmmmmmmlommmmommmmmmmmmmmmmhngmmnnnlmmmmmmmmmmmlmmmmmnmmmnmnmmlnmlmnlmlmnmmmmkmlmml"
-     "mmlmnmmmmllmmmllnlmmmmmlllmnmlmlmmlmmmmnlmlmnmmmmmmnlmoolmmkmnmmjlpomjmmomknlnmimnlmolnmmnnnl"
-     "mkmmlmomllmaogimnmolmomnmmknmnmrmlmmlmnkm"},
-    {{{0, 704}, {10, 42}, {18, 533}, {16, 960}, {13, 800}, {21, 0}},
-     "omlmnnnkmmpmlnmknknmopklnpoiknqolomlonnnlmmnmmnmmmhmlkmnmmmmklkmmpnmmmmnmnmllmnmnmmmmmnlmmono"
-     "mmlmlmmlmnmmlkmnmonllmoomimmlmmmmmmmmnmnlmkmllmmmnlmmmmmmonlnmpmolmmmmkmmmmmmmmmkmmmmmmmmmmmm"
-     "mmmmmmmmmmoojmmmmmmkmnkmmmmmmjnnlmmmmmmpknlmmmmmmmlmlmmkommlmnlmmmmmmmmmmmjlnnmlmmmmmmmmmmomo"
-     "mmmmmmnmnlmmmmmmkmmmmjmmommnmnmlnmnmqkllm"},
+    {{{0, 384}, {5, 699}, {7, 21}, {3, 960}, {18, 1163}, {1, 864}},
+     "lnnnmmnlmmnllkmnmlomlllnmmnmnmkpnmmnklmmonmnmnnmlmmmlmmnlnlnmllmmmnmmlloommmnlmnkmlnmmlmmmmnn"
+     "lmnlnmmonlkmlnmmmlplnmlljnmmmmmmmmmmmmmmmmmmmmmjmglmmmmmmmmmmmlmlmmlmmmmkmnmmjolmmlmlnmllommm"
+     "mmmmnlmlmnlmmmmlmmmmmmmmnlmmmmlnknmmmmmmmmmmnnmmmmmmmmmnlnmkmmnmlnmmmkmnnmpmmmmkmnlmqlmlmolkl"
+     "mmmmmmmmmmmmmmmmmmmmmdqhkmnmmmmplnlmmnlmm"},
+    {{{18, 554}, {9, 15}, {18, 984}, {0, 576}, {2, 832}, {5, 524}},
+     "mmmmmmmnmmnomlmqmmlmlnnmmopllmnnnnmllommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmolnmmmmmmllm"
+     "omlmmmmnllmmmmmmmkmmnmnlmommmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmmnmlnmlmmlmmmlmmmmo"
+     "pllmpomnmjlnmmmmmmmmmmmmlmnmmnmlnmkolomkolnmnkmmmmmnlmlnmommmmmmklmomlmmmmlkmmmmmllmllmmmllmn"
+     "mokojonmmmmmmmmmlnmmmpjojnollklmmmmmommlm"},
+    {{{14, 2405}, {18, 1163}, {20, 0}, {9, 15}, {21, 0}, {12, 1184}},
+     "mmmmmlnlnmmmmmmmmnmmklmommmmmmmmlmmnmllmjpiqmmmmmmnmlmmmnmmmmmmmmmmmmmommlmmmmmmpolmmqnlkmmol"
+     "mmomlkmnjsiommmmmnmmlmnmmlmnmlmmmmlmmmmmmmolmlmolllmmmmmmnmmlmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmnlmmnllmpmlklmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mlnnnmnlmmmklmlmklmnmmmmmmmmmmmmmmmmmmmmm"},
+    {{{18, 554}, {6, 244}, {0, 512}, {18, 1163}, {15, 384}, {4, 512}},
+     "nnmlmmmnmmnnmlmmmmmmmmmmmmmmmmmmmmmmmmmmmmmlmmmmmnommmmlmmnmmmmmmmmmmmmmmmmmmmmmnmnmmlmmnmomo"
+     "mmklmnmmmmmmmmmmmmmmmmmmmmmnmlmmmmmmmqmllmmmmmmmmmmmmmmmmmmmmmmmmmmmmnmmllonmlmmmmlllmmmlmlmo"
+     "kllmnmmmmkommmllmmmmlmmmlmmmmnlmmmknmmmnmmnmnlmmmrlkmmmlmmmnlnlmlmnomoslnmmnkmmlmllmpmnkmmnmn"
+     "mmnlmmmmllmplllmmmmmmiplpmlojommnlommmmmm"},
+    {{{5, 787}, {16, 384}, {2, 800}, {11, 142}, {5, 514}, {19, 928}},
+     "nmnnmmmmmmjmommmmmmmonmlmmmmmmnnmlmmmmmmmmmmmmmmmmlmnmmmmmmmmmmmmmmmmmlmnmmnmqmmmmmmmmmlmmlnm"
+     "mmmmnmmmmmmmnkomnmnknmkmonmknnlmlnmmmlmlnmqmolmmkmmmmnmlmomjmmlllnmmmmmmmmmmmmmmmmmmmmmmmmmmm"
+     "mmmmmmmmmmmmmmmmmmmmmmmmglmomgjmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmmomlmmqknmmmmmmmmmmmmmmmmmnnmm"
+     "mmmmmmmmmmmmmmmmmojmmmmmmmmmmmmmmmmmnokmm"},
 };
 /* To here. */
 /* clang-format on */

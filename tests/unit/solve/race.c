@@ -205,7 +205,7 @@ static void expect_race(const char *family, uint64_t seed, int larger, int queri
 
 Test(race, won_by_queries)
 {
-    expect_race("relu", 2, 2, 1);
+    expect_race("relu", 3, 2, 1);
 }
 
 Test(race, won_by_others)

@@ -24,7 +24,8 @@ static const char *const ENGINE[FMB_ENGINES] = {
 static void tell_choice(FILE *out, const fmb_features *f)
 {
     fmb_choice c = fmb_selection_of(f);
-    fprintf(out, "    %s%s", c.recession ? "recession direction, " : "",
+    fprintf(out, "    %s%s%s", c.verdict ? "verdict, " : "",
+            c.recession ? "recession direction, " : "",
             c.bounded > 0 ? "bounded elimination, " : "");
     for (int n = 0; n < FMB_ENGINES; n++) {
         int next = 0;

@@ -18,7 +18,7 @@ typedef struct fmb_polar_points {
     size_t n, m, d; /* columns, rows, and columns with a nonzero */
     const fmb_lp_row *row;
     size_t *column; /* [d] */
-    int *exponent;  /* [d] column k is multiplied by 2^exponent, and x_k divided */
+    int *exponent;  /* [d] column k is divided by 2^exponent, and so x_k is multiplied by it */
     mpz_t *x;       /* [d] the point: x / 2^shift */
     int shift;
     size_t *order;    /* [m] rows in their order here; neighbours are near each other */

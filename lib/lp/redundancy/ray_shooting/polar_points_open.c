@@ -2,26 +2,16 @@
  * lp/redundancy/ray_shooting/centre.h. */
 #include "lp/redundancy/ray_shooting/polar_points.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/arrays.h"
+#include "lp/redundancy/active_set/leading_rows.h"
 #include "lp/redundancy/ray_shooting/centre.h"
 #include "num/gcd.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
-
-static fmb_status list_nonzero_columns(fmb_polar_points *p)
-{
-    FMB_TRY(FMB_GET(p->mem, p->column, p->n));
-    for (size_t j = 0; j < p->n; j++)
-        for (size_t i = 0; i < p->m; i++)
-            if (fmb_vec_sgn(p->row[i].v, j) != 0) {
-                p->column[p->d++] = j;
-                break;
-            }
-    return FMB_OK;
-}
 
 static fmb_status hold_points(fmb_polar_points *p, bool get)
 {
@@ -55,38 +45,46 @@ void fmb_polar_points_clear(fmb_polar_points *p)
 
 /* ---- rows in doubles ------------------------------------------------------------------------- */
 
-/* The mean of the bits by which right sides are longer than the longest coefficients of their rows,
- * where they are not 0. */
-static int unit_of_right_sides(const fmb_polar_points *p)
+/* List the columns that are not 0, in units that fit all rows, and those that fit right sides. */
+static fmb_status choose_units(fmb_polar_points *p)
 {
-    int64_t sum = 0, count = 0;
-    for (size_t i = 0; i < p->m; i++) {
-        int64_t right = (int64_t)fmb_vec_entry_bits(p->row[i].v, p->n);
-        sum += right > 0 ? right - (int64_t)fmb_vec_most_bits(p->row[i].v, p->n) : 0;
-        count += right > 0;
+    fmb_leading_rows t;
+    fmb_status st = fmb_leading_rows_open(&t, p->mem, p->n, 0);
+    if (st == FMB_OK)
+        fmb_leading_rows_list_columns(&t, p->n, p->m, p->row);
+    FMB_THEN(st, fmb_leading_rows_choose_units(&t, p->m, p->row));
+    FMB_THEN(st, FMB_GET(p->mem, p->column, p->n));
+    if (st == FMB_OK) {
+        p->d = t.n;
+        memcpy(p->column, t.column, p->d * sizeof *p->column);
+        st = allocate_points(p);
     }
-    return count > 0 ? (int)(sum / count) : 0;
+    for (size_t k = 0; st == FMB_OK && k < p->d; k++)
+        p->exponent[k] = t.shift[k] - t.shift[t.n];
+    fmb_leading_rows_close(&t);
+    return st;
 }
 
-/* Load rows scaled to length about 1, columns to a largest entry of about 1, and points in a unit
- * of right sides. False if a right side is beyond doubles. */
+/* The length of the longest coefficient of row i, in units. */
+static int bits_of_row(const fmb_polar_points *p, size_t i)
+{
+    int most = INT_MIN;
+    for (size_t k = 0; k < p->d; k++) {
+        int bits = (int)fmb_vec_entry_bits(p->row[i].v, p->column[k]);
+        most = bits > 0 && bits - p->exponent[k] > most ? bits - p->exponent[k] : most;
+    }
+    return most > INT_MIN ? most : 0;
+}
+
+/* Load rows scaled to length about 1. False if a right side is beyond doubles. */
 static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
 {
-    int unit = unit_of_right_sides(p);
     for (size_t i = 0; i < p->m; i++) {
-        int bits = (int)fmb_vec_most_bits(p->row[i].v, p->n);
+        int bits = bits_of_row(p, i);
         for (size_t k = 0; k < p->d; k++)
-            c->at[k * c->m + i] = fmb_vec_entry_double(p->row[i].v, p->column[k], bits);
-        c->right[i] = fmb_vec_entry_double(p->row[i].v, p->n, bits + unit);
-    }
-    for (size_t k = 0; k < p->d; k++) {
-        double most = 0;
-        for (size_t i = 0; i < c->m; i++)
-            most = fmax(most, fabs(c->at[k * c->m + i]));
-        frexp(most, &p->exponent[k]);
-        for (size_t i = 0; i < c->m; i++)
-            c->at[k * c->m + i] = ldexp(c->at[k * c->m + i], -p->exponent[k]);
-        p->exponent[k] -= unit;
+            c->at[k * c->m + i] =
+                fmb_vec_entry_double(p->row[i].v, p->column[k], bits + p->exponent[k]);
+        c->right[i] = fmb_vec_entry_double(p->row[i].v, p->n, bits);
     }
     for (size_t i = 0; i < c->m; i++) {
         double square = 0;
@@ -120,8 +118,8 @@ static int places_needed(const fmb_centre *c)
     return places;
 }
 
-/* x / 2^shift = the centre, rounded. x of column k is divided by 2^exponent[k], as the column was
- * multiplied by that, the unit included. False if the result is beyond doubles. */
+/* x / 2^shift = the centre, rounded, no longer in the units of columns. False if the result is
+ * beyond doubles. */
 static bool round_centre(fmb_polar_points *p, const fmb_centre *c)
 {
     int places = places_needed(c);
@@ -174,12 +172,12 @@ static bool see_rows(fmb_polar_points *p)
     mpz_t slack, t;
     mpz_inits(slack, t, NULL);
     for (size_t i = 0; inside && i < p->m; i++) {
-        int bits = (int)fmb_vec_most_bits(p->row[i].v, p->n);
+        int bits = bits_of_row(p, i);
         double square = 0, inverse = inverse_slack(p, i, bits, slack, t);
         for (size_t k = 0; k < p->d; k++) {
-            double a = fmb_vec_entry_double(p->row[i].v, p->column[k], bits);
+            double a = fmb_vec_entry_double(p->row[i].v, p->column[k], bits + p->exponent[k]);
             inside &= a != 0 || fmb_vec_sgn(p->row[i].v, p->column[k]) == 0;
-            a = ldexp(a, -p->exponent[k]) * inverse;
+            a *= inverse;
             p->point_at[k * p->m + i] = a;
             square += a * a;
         }
@@ -230,8 +228,7 @@ fmb_status fmb_polar_points_open(fmb_polar_points *p, fmb_run *run, size_t n, si
     fmb_centre c = {0};
     *p = (fmb_polar_points){.mem = run->mem, .kernels = run->kernels, .n = n, .m = m, .row = row};
     *inside = false;
-    fmb_status st = list_nonzero_columns(p);
-    FMB_THEN(st, allocate_points(p));
+    fmb_status st = choose_units(p);
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         if (row[i].rel == FMB_EQ)
             return FMB_OK;
