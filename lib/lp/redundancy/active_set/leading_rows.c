@@ -68,6 +68,17 @@ static int bits_of_entry(const fmb_leading_rows *t, const fmb_vec *a, size_t k)
     return (int)fmb_vec_entry_bits(a, t->column[k]);
 }
 
+/* The length of the longest coefficient of a row in the units of columns; INT_MIN if all are 0. */
+static int most_bits_of_coefficients(const fmb_leading_rows *t, const fmb_vec *a)
+{
+    int most = INT_MIN;
+    for (size_t k = 0; k < t->n; k++) {
+        int bits = bits_of_entry(t, a, k);
+        most = bits > 0 && bits - t->shift[k] > most ? bits - t->shift[k] : most;
+    }
+    return most;
+}
+
 /* The mean length of a row's coefficients in the units of their columns; *named: how many there
  * are. */
 static int mean_bits_of_row(const fmb_leading_rows *t, const fmb_vec *a, int *named)
@@ -109,18 +120,16 @@ static int compare_ints(const void *a, const void *b)
 
 /* By how many bits right sides are longer than coefficients in their units, the median of the rows
  * with both: some rows may be very far from 0, or very near. more[m]: scratch. */
-static int median_bits_of_right_sides(fmb_leading_rows *t, size_t m, const fmb_lp_row *row,
+static int median_bits_of_right_sides(const fmb_leading_rows *t, size_t m, const fmb_lp_row *row,
                                       int *more)
 {
-    size_t rows = 0, right = t->right;
-    t->right = SIZE_MAX;
+    size_t rows = 0;
     for (size_t i = 0; i < m; i++) {
-        int bits = (int)fmb_vec_entry_bits(row[i].v, right),
-            left = fmb_leading_rows_bits(t, row[i].v);
-        if (bits > 0 && left > INT_MIN)
-            more[rows++] = bits - left;
+        int left = most_bits_of_coefficients(t, row[i].v);
+        int right = (int)fmb_vec_entry_bits(row[i].v, t->right);
+        if (right > 0 && left > INT_MIN)
+            more[rows++] = right - left;
     }
-    t->right = right;
     qsort(more, rows, sizeof *more, compare_ints);
     return rows > 0 ? more[rows / 2] : 0;
 }
@@ -157,14 +166,11 @@ static int64_t leading_bits(const fmb_vec *a, size_t j, int down, mpz_t scratch)
 
 int fmb_leading_rows_bits(const fmb_leading_rows *t, const fmb_vec *a)
 {
-    int most = INT_MIN;
-    if (t->right < SIZE_MAX && fmb_vec_sgn(a, t->right) != 0)
-        most = (int)fmb_vec_entry_bits(a, t->right) - t->shift[t->n];
-    for (size_t k = 0; k < t->n; k++) {
-        int bits = bits_of_entry(t, a, k);
-        most = bits > 0 && bits - t->shift[k] > most ? bits - t->shift[k] : most;
-    }
-    return most;
+    int most = most_bits_of_coefficients(t, a);
+    if (t->right == SIZE_MAX || fmb_vec_sgn(a, t->right) == 0)
+        return most;
+    int right = (int)fmb_vec_entry_bits(a, t->right) - t->shift[t->n];
+    return right > most ? right : most;
 }
 
 void fmb_leading_rows_add(fmb_leading_rows *t, const fmb_vec *a, mpz_t scratch)
