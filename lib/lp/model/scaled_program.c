@@ -7,14 +7,14 @@
 #include <string.h>
 
 #include "base/arrays.h"
+#include "lp/model/column_units.h"
 
 /* Right sides are limited to this, or they would dwarf all others. */
 #define FAR_AWAY 1e60
 /* Right sides have a unit if the mean of their exponents is beyond this. */
 #define FAR 20
 /* Columns are scaled if coefficients of the scaled rows are less than 2^-WIDE. */
-#define WIDE   7
-#define PASSES 4
+#define WIDE 7
 
 void fmb_scaled_program_clear(fmb_scaled_program *f)
 {
@@ -128,45 +128,28 @@ static int exponent_of_term(const fmb_scaled_program *f, size_t i, size_t k)
     return own - f->exponent[i];
 }
 
-/* Alternately for rows and columns, make the mean of the exponents 0. sum and count are scratch. */
-static void average_exponents(const fmb_scaled_program *f, int *of_row, int *of_column, int *sum,
-                              int *count)
+static size_t read_row_exponents(const void *rows, size_t i, int *column, int *exponent)
 {
-    memset(sum, 0, f->n * sizeof *sum);
-    memset(count, 0, f->n * sizeof *count);
-    for (size_t i = 0; i < f->m; i++) {
-        const int *column = fmb_scaled_program_columns(f, i);
-        int size = (int)f->p->row[i].size, total = 0;
-        if (size < 2)
-            continue;
-        for (int k = 0; k < size; k++)
-            total += exponent_of_term(f, i, (size_t)k) - of_column[column[k]];
-        of_row[i] = total / size;
-        for (int k = 0; k < size; k++) {
-            sum[column[k]] += exponent_of_term(f, i, (size_t)k) - of_row[i];
-            count[column[k]]++;
-        }
+    const fmb_scaled_program *f = rows;
+    size_t size = f->p->row[i].size;
+    for (size_t k = 0; k < size; k++) {
+        column[k] = fmb_scaled_program_columns(f, i)[k];
+        exponent[k] = exponent_of_term(f, i, k);
     }
-    for (size_t j = 0; j < f->n; j++)
-        of_column[j] = count[j] > 0 ? sum[j] / count[j] : 0;
+    return size;
 }
 
 /* Compute the exponents of the columns, and matching ones of rows. */
 static fmb_status scale_columns(fmb_scaled_program *f)
 {
-    fmb_mem *mem = f->run->mem;
-    int *of_row = fmb_mem_zero(mem, f->m, sizeof *of_row);
-    int *sum = fmb_mem_get(mem, f->n, sizeof *sum), *count = fmb_mem_get(mem, f->n, sizeof *count);
-    fmb_status st = of_row && sum && count ? FMB_OK : fmb_mem_status(mem);
-    for (int pass = 0; st == FMB_OK && pass < PASSES; pass++) {
-        average_exponents(f, of_row, f->column_exponent, sum, count);
-        st = fmb_run_poll_now(f->run);
-    }
+    int *unit;
+    FMB_TRY(FMB_GET_ZERO(f->run->mem, unit, f->n));
+    fmb_status st = fmb_column_units(f->run->mem, f->run, f->n, f->m, read_row_exponents, f, unit);
+    if (st == FMB_OK)
+        memcpy(f->column_exponent, unit, f->n * sizeof *unit);
     for (size_t i = 0; st == FMB_OK && i < f->m; i++)
         load_real_row(f, i);
-    fmb_mem_put(mem, of_row, f->m, sizeof *of_row);
-    fmb_mem_put(mem, sum, f->n, sizeof *sum);
-    fmb_mem_put(mem, count, f->n, sizeof *count);
+    fmb_mem_put(f->run->mem, unit, f->n, sizeof *unit);
     return st;
 }
 

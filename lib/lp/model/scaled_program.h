@@ -5,8 +5,6 @@
  * exponent. Right sides, and with them points, are divided by a power of two of their own where
  * most are very long or very short: x = 2^unit x'. Rows are in the order of the program, including
  * those that are off, which do not count.
- *
- * Source: Curtis and Reid 1972, On the automatic scaling of matrices for Gaussian elimination.
  */
 #ifndef FMB_LP_SCALED_PROGRAM_H
 #define FMB_LP_SCALED_PROGRAM_H

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/arrays.h"
+#include "lp/model/column_units.h"
 
 /* The longest entry of each row is made so many bits long. */
 #define LEADING_BITS 28
@@ -79,37 +80,21 @@ static int most_bits_of_coefficients(const fmb_leading_rows *t, const fmb_vec *a
     return most;
 }
 
-/* The mean length of a row's coefficients in the units of their columns; *named: how many there
- * are. */
-static int mean_bits_of_row(const fmb_leading_rows *t, const fmb_vec *a, int *named)
-{
-    int sum = 0;
-    *named = 0;
-    for (size_t k = 0; k < t->n; k++) {
-        int bits = bits_of_entry(t, a, k);
-        sum += bits > 0 ? bits - t->shift[k] : 0;
-        *named += bits > 0;
-    }
-    return *named > 0 ? sum / *named : 0;
-}
+typedef struct listed_rows {
+    const fmb_leading_rows *t;
+    const fmb_lp_row *row;
+} listed_rows;
 
-/* One turn of least squares of logarithms (Curtis, Reid 1972): units of rows, then of columns. A
- * row with one coefficient says nothing about its column. */
-static void improve_units(fmb_leading_rows *t, size_t m, const fmb_lp_row *row, int *sum,
-                          int *count)
+static size_t read_lengths(const void *rows, size_t i, int *column, int *bits)
 {
-    for (size_t k = 0; k < t->n; k++)
-        sum[k] = count[k] = 0;
-    for (size_t i = 0; i < m; i++) {
-        int named, mean = mean_bits_of_row(t, row[i].v, &named);
-        for (size_t k = 0; named > 1 && k < t->n; k++) {
-            int bits = bits_of_entry(t, row[i].v, k);
-            sum[k] += bits > 0 ? bits - mean : 0;
-            count[k] += bits > 0;
-        }
+    const listed_rows *l = rows;
+    size_t size = 0;
+    for (size_t k = 0; k < l->t->n; k++) {
+        column[size] = (int)k;
+        bits[size] = bits_of_entry(l->t, l->row[i].v, k);
+        size += bits[size] > 0;
     }
-    for (size_t k = 0; k < t->n; k++)
-        t->shift[k] = count[k] > 0 ? sum[k] / count[k] : 0;
+    return size;
 }
 
 static int compare_ints(const void *a, const void *b)
@@ -136,14 +121,15 @@ static int median_bits_of_right_sides(const fmb_leading_rows *t, size_t m, const
 
 fmb_status fmb_leading_rows_choose_units(fmb_leading_rows *t, size_t m, const fmb_lp_row *row)
 {
-    size_t size = m + 2 * t->n;
     int *scratch;
-    FMB_TRY(FMB_GET(t->mem, scratch, size));
-    for (int turn = 0; turn < 2 && !are_all_bits_near(m, row); turn++)
-        improve_units(t, m, row, scratch, scratch + t->n);
-    if (t->right < SIZE_MAX)
-        t->shift[t->n] = median_bits_of_right_sides(t, m, row, scratch);
-    fmb_mem_put(t->mem, scratch, size, sizeof *scratch);
+    listed_rows l = {t, row};
+    if (!are_all_bits_near(m, row))
+        FMB_TRY(fmb_column_units(t->mem, NULL, t->n, m, read_lengths, &l, t->shift));
+    if (t->right == SIZE_MAX)
+        return FMB_OK;
+    FMB_TRY(FMB_GET(t->mem, scratch, m));
+    t->shift[t->n] = median_bits_of_right_sides(t, m, row, scratch);
+    fmb_mem_put(t->mem, scratch, m, sizeof *scratch);
     return FMB_OK;
 }
 
