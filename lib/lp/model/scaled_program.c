@@ -174,10 +174,15 @@ static int mean_exponent_of_right_sides(const fmb_scaled_program *f)
     return count > 0 ? (int)(sum / count) : 0;
 }
 
-static void scale_right_sides(fmb_scaled_program *f)
+static int unit_of_right_sides(const fmb_scaled_program *f)
 {
     int mean = mean_exponent_of_right_sides(f);
-    f->unit = abs(mean) > FAR ? mean : 0;
+    return abs(mean) > FAR ? mean : 0;
+}
+
+static void scale_right_sides(fmb_scaled_program *f, int unit)
+{
+    f->unit = unit;
     for (size_t i = 0; i < f->m; i++)
         scale_right_side(f, i);
 }
@@ -228,14 +233,16 @@ fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fm
     FMB_TRY(fmb_scaled_program_grow(f));
     if (find_least_coefficient(f) < ldexp(1, -WIDE))
         FMB_TRY(scale_columns(f));
-    scale_right_sides(f);
+    int unit = unit_of_right_sides(f);
+    if (unit != 0)
+        scale_right_sides(f, unit);
     return FMB_OK;
 }
 
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)
 {
     if (!right) {
-        scale_right_sides(f);
+        scale_right_sides(f, unit_of_right_sides(f));
         return;
     }
     f->unit = 0;

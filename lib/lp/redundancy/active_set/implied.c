@@ -34,10 +34,7 @@ enum { SEARCHES = 4, WORTH_SEARCHES = 4048 };
 /* ---- rows in the columns that some of them name ---------------------------------------------- */
 
 /* Of the columns of a part, an elimination leaves few: whoever looks at all entries of a row should
- * not look at the others. And what rows say of each other does not depend on the unit in which a
- * variable is measured, nor on one of all right sides: powers of two that divide a column are left
- * out, of right sides as long as these are longer than coefficients, so that points that satisfy
- * the rows stay as far apart as usual. */
+ * not look at the others. */
 typedef struct nonzero_columns {
     fmb_mem *mem;
     size_t n, m;     /* columns, rows */
@@ -46,47 +43,28 @@ typedef struct nonzero_columns {
     int64_t *entry;  /* [m][n + 1] */
 } nonzero_columns;
 
-/* All bits of the sizes of the column's entries; 0: they are 0. */
-static uint64_t join_sizes_in_column(size_t j, size_t m, const fmb_lp_row *row)
-{
-    uint64_t all = 0;
-    for (size_t i = 0; i < m; i++)
-        all |= fmb_abs64(row[i].v->s[j]);
-    return all;
-}
-
-/* A column of the part without its last bits, which are 0. */
-typedef struct column {
-    size_t number;
-    int shift;
-} column;
-
 /* Those of coefficients that some row names, and last that of right sides. */
-static size_t choose_columns(size_t n, size_t m, const fmb_lp_row *row, column *to)
+static size_t choose_columns(size_t n, size_t m, const fmb_lp_row *row, size_t *to)
 {
     size_t chosen = 0;
-    int longest = 0;
     for (size_t j = 0; j < n; j++) {
-        uint64_t all = join_sizes_in_column(j, m, row);
-        if (all == 0)
-            continue;
-        int shift = __builtin_ctzll(all), left = fmb_bits64(all) - shift;
-        to[chosen++] = (column){j, shift};
-        longest = left > longest ? left : longest;
+        bool nonzero = false;
+        for (size_t i = 0; i < m && !nonzero; i++)
+            nonzero = row[i].v->s[j] != 0;
+        if (nonzero)
+            to[chosen++] = j;
     }
-    uint64_t all = join_sizes_in_column(n, m, row);
-    int most = all == 0 ? 0 : __builtin_ctzll(all), room = fmb_bits64(all) - longest;
-    to[chosen] = (column){n, room < 0 ? 0 : room < most ? room : most};
+    to[chosen] = n;
     return chosen;
 }
 
-static void copy_entries_of_columns(nonzero_columns *t, const column *from, const fmb_lp_row *row)
+static void copy_entries_of_columns(nonzero_columns *t, const size_t *from, const fmb_lp_row *row)
 {
     size_t d = t->n + 1;
     for (size_t i = 0; i < t->m; i++) {
         int64_t *s = &t->entry[i * d];
         for (size_t k = 0; k < d; k++)
-            s[k] = row[i].v->s[from[k].number] >> from[k].shift;
+            s[k] = row[i].v->s[from[k]];
         t->v[i] = (fmb_vec){.s = s};
         fmb_vec_measure(&t->v[i], d);
         t->row[i] = (fmb_lp_row){&t->v[i], row[i].rel};
@@ -104,7 +82,7 @@ static fmb_status open_nonzero_columns(nonzero_columns *t, fmb_mem *mem, size_t 
                                        const fmb_lp_row *row)
 {
     *t = (nonzero_columns){.mem = mem, .m = m};
-    column *from;
+    size_t *from;
     FMB_TRY(FMB_GET(mem, from, n + 1));
     t->n = choose_columns(n, m, row, from);
     fmb_status st = hold_nonzero_columns(t, true);

@@ -85,13 +85,15 @@ typedef struct listed_rows {
     const fmb_lp_row *row;
 } listed_rows;
 
+/* With the right side, so that bounds tell units of their columns. */
 static size_t read_lengths(const void *rows, size_t i, int *column, int *bits)
 {
     const listed_rows *l = rows;
+    const fmb_leading_rows *t = l->t;
     size_t size = 0;
-    for (size_t k = 0; k < l->t->n; k++) {
+    for (size_t k = 0; k < t->n + (t->right < SIZE_MAX); k++) {
         column[size] = (int)k;
-        bits[size] = bits_of_entry(l->t, l->row[i].v, k);
+        bits[size] = (int)fmb_vec_entry_bits(l->row[i].v, k < t->n ? t->column[k] : t->right);
         size += bits[size] > 0;
     }
     return size;
@@ -124,7 +126,7 @@ fmb_status fmb_leading_rows_choose_units(fmb_leading_rows *t, size_t m, const fm
     int *scratch;
     listed_rows l = {t, row};
     if (!are_all_bits_near(m, row))
-        FMB_TRY(fmb_column_units(t->mem, NULL, t->n, m, read_lengths, &l, t->shift));
+        FMB_TRY(fmb_column_units(t->mem, NULL, t->n + 1, m, read_lengths, &l, t->shift));
     if (t->right == SIZE_MAX)
         return FMB_OK;
     FMB_TRY(FMB_GET(t->mem, scratch, m));
