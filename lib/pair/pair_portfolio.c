@@ -3,6 +3,7 @@
 
 #include "base/ways.h"
 #include "pair/kernels/packed_kernels.h"
+#include "pair/minors_of_frames.h"
 #include "pair/single_pair.h"
 
 /* Put pair i into a block of that stage. */
@@ -144,6 +145,51 @@ static fmb_status flush_flat_verdicts(const fmb_pair_call *a, const fmb_block *b
     return FMB_OK;
 }
 
+/* ---- four to eight dimensions ---------------------------------------------------------------- */
+
+/* Decide the pairs of a block in four to eight dimensions. */
+static fmb_status flush_minors(const fmb_pair_call *a, fmb_minors_what what)
+{
+    fmb_minor_block *b = &a->k->minor[what];
+    fmb_pair_call open = *a;
+    fmb_pair_bits bits = {0, 0};
+    fmb_status st = FMB_OK;
+    unsigned made = 0;
+    const int n = b->n;
+    b->n = 0;
+    if (fmb_minors_of_frames_pay(a->k->dim, n))
+        bits = fmb_minors_of_frames(a, what, b->pair, n, &made);
+    open.known = FMB_PAIR_OPEN;
+    for (int l = 0; st == FMB_OK && l < n; l++) {
+        const size_t i = b->pair[l];
+        const bool meet = bits.meet >> l & 1, apart = bits.apart >> l & 1;
+        fmb_way_answered(FMB_WAY_PAIR_KERNELS, meet || apart);
+        if (meet || apart)
+            a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
+        if (!meet && !apart)
+            st = decide_generally(made >> l & 1 ? &open : a, STAGES, 0, i);
+        else if (meet && a->boxes)
+            st = fmb_single_pair_answer(a, i);
+    }
+    return st;
+}
+
+static fmb_status wait_for_minors(const fmb_pair_call *a, fmb_minors_what what, size_t i)
+{
+    fmb_minor_block *b = &a->k->minor[what];
+    b->pair[b->n++] = i;
+    return b->n == a->kernels->width ? flush_minors(a, what) : FMB_OK;
+}
+
+/* Shall pair i wait? Then *what is its kind. */
+static bool is_for_minors(const fmb_pair_call *a, size_t i, fmb_minors_what *what)
+{
+    return !a->alone && a->known != FMB_PAIR_OPEN && a->k->options.method != FMB_PAIR_EXACT &&
+           fmb_minors_of_frames_kind(a, i, what) && fmb_way(FMB_WAY_PAIR_KERNELS);
+}
+
+/* ---- one pair after another ------------------------------------------------------------------ */
+
 /* Has the frame all axes, and edges that are doubles? */
 static bool has_all_axes(const fmb_frame *f, int dim)
 {
@@ -175,6 +221,9 @@ static fmb_status answer_or_wait(const fmb_pair_call *a, size_t i)
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     if (p->dim != k->dim || q->dim != k->dim)
         return fmb_single_pair_refuse(a, i);
+    fmb_minors_what what;
+    if (is_for_minors(a, i, &what))
+        return wait_for_minors(a, what, i);
     if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
         fmb_single_pair_is_of_hulls(p, q))
         return decide_generally(a, STAGES, 0, i);
@@ -270,6 +319,8 @@ static void forget_waiting_pairs(fmb_pair *k)
     for (int number = 0; k->waiting && number < BLOCKS; number++)
         k->block[number].lanes = 0;
     k->waiting = 0;
+    for (int what = 0; what < FMB_MINORS_WHATS; what++)
+        k->minor[what].n = 0;
 }
 
 /* Pairs between two checks for a cancel; slow pairs check themselves. */
@@ -353,6 +404,8 @@ fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const 
         out->verdict[i] = FMB_UNKNOWN;
     while (st == FMB_OK && k->waiting)
         st = flush_block(&a, __builtin_ctzll(k->waiting));
+    for (int what = 0; st == FMB_OK && what < FMB_MINORS_WHATS; what++)
+        st = k->minor[what].n > 0 ? flush_minors(&a, (fmb_minors_what)what) : FMB_OK;
     forget_waiting_pairs(k);
     return st;
 }

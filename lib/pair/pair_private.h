@@ -10,12 +10,19 @@
 #include "pair/exact.h"
 #include "pair/exact_box/exact_box.h"
 #include "pair/general/general.h"
+#include "pair/kernels/minors_kernels.h"
 
 /* Blocks by number: [stage][kind], where a kind is [moves][shape of A][shape of B]. Pairs that a
  * block leaves open go to a block of a later stage, or are decided without a block. The last block
  * is for verdicts of frames with any number of axes, of the kind pair.flat. */
 enum { STAGE_VERDICT, STAGE_BOX, STAGES = STAGE_BOX + FMB_BOX_LEVELS };
 enum { KINDS = 2 * 2 * 2, FLAT_BLOCK = STAGES * KINDS, BLOCKS };
+
+/* Pairs of one kind in four to eight dimensions that wait for a kernel over records. */
+typedef struct fmb_minor_block {
+    size_t pair[FMB_BLOCK_MOST_LANES];
+    int n;
+} fmb_minor_block;
 
 struct fmb_pair {
     fmb_mem mem;
@@ -35,6 +42,7 @@ struct fmb_pair {
     uint64_t waiting;                      /* bits of blocks that are not empty */
     fmb_flat_kind flat;                    /* kind of the pairs in the last block */
     fmb_block block[BLOCKS];
+    fmb_minor_block minor[FMB_MINORS_WHATS];
 };
 
 /* Has fmb_pair_cancel been called? */

@@ -31,6 +31,8 @@ static inline int fmb_minors_record(int dim)
     return (2 * dim * dim + 3 * dim + 4 + 7) / 8 * 8;
 }
 
+enum { FMB_MINORS_MOST_RECORD = 2 * 8 * 8 + 3 * 8 + 8 };
+
 /* Pack two exponents of powers of two into one number: of the unit of all axes and the speed, and
  * of the unit of the origin. */
 static inline double fmb_minors_join_units(int axes, int origin)
@@ -65,6 +67,14 @@ typedef enum fmb_minors_what {
     FMB_MINORS_WHATS
 } fmb_minors_what;
 
+static inline fmb_minors_what fmb_minors_what_of(bool simplex_a, bool simplex_b, bool moves)
+{
+    const int shapes = simplex_a != simplex_b ? FMB_MINORS_MIXED
+                       : simplex_a            ? FMB_MINORS_SIMPLICES
+                                              : FMB_MINORS_STILL;
+    return (fmb_minors_what)(shapes + moves);
+}
+
 /* Is there a kernel for this dimension and kind? */
 static inline bool fmb_minors_decide(int dim, fmb_minors_what what)
 {
@@ -78,6 +88,12 @@ static inline bool fmb_minors_decide(int dim, fmb_minors_what what)
 /* In packed pairs and rows, shapes and kinds are ignored. room: fmb_minors_room(dim) numbers,
  * aligned to 64 bytes. */
 typedef struct fmb_minor_kernels {
+    /* Fill in inverse, reach and size of n records, at most as many as there are lanes, from
+     * origin, axes and speed, and in place of `whole` the approximate absolute value of the
+     * determinant of the axes over the least greater power of two of the size. Returns bits of the
+     * good records: a frame that is flat, or so slender or large that no inverse is certain, has
+     * none, or one whose numbers are not finite. */
+    unsigned (*invert)(int dim, double *const *record, unsigned n);
     bool (*pairs)(int dim, fmb_minors_what what, const fmb_packed_pairs *x, double *room,
                   fmb_verdict *out);
     void (*tiles)(int dim, const double *record, const uint32_t *index, size_t n, double *tiles);

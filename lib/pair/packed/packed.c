@@ -44,8 +44,7 @@ bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
     out->moves = ((a | b) & FMB_KIND_MOVES) != 0;
     out->swapped = false;
     out->shapes = FMB_PACKED_ANY;
-    out->what = (fmb_minors_what)((simplex[0] != simplex[1] ? FMB_MINORS_MIXED : 2 * simplex[0]) +
-                                  out->moves);
+    out->what = fmb_minors_what_of(simplex[0], simplex[1], out->moves);
     if (k->dim > 3 && (!k->room || !k->wide->minors || !fmb_minors_decide(k->dim, out->what)))
         return false;
     if (naxes[0] == k->dim && naxes[1] == k->dim) {

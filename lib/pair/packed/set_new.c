@@ -131,7 +131,10 @@ static int add_record(fmb_frames *s, size_t i, const fmb_frame *e)
         write_record(e, to);
         return 2 * e->naxes + (int)e->shape + moves;
     }
-    return e->naxes == s->dim && fmb_inverse_record(e, to) ? (int)e->shape + moves : FMB_KIND_NONE;
+    if (e->naxes != s->dim)
+        return FMB_KIND_NONE;
+    fmb_inverse_write_frame(e, to);
+    return (int)e->shape + moves;
 }
 
 /* f is good. */
@@ -144,7 +147,43 @@ static void add_frame(fmb_frames *s, size_t i, const fmb_frame *f, size_t *used)
     if (stands_beside(f))
         copy_beside(s, i, f, used);
     s->kind[i] = (uint8_t)kind;
-    s->only = i == 0 || s->only == kind ? kind : -1;
+}
+
+/* Complete the records number[0 ... n - 1] in four to eight dimensions; a frame without an inverse
+ * has none. */
+static void complete_records(fmb_frames *s, const fmb_pair_kernels *kernels, const size_t *number,
+                             unsigned n)
+{
+    double *record[FMB_BLOCK_MOST_LANES];
+    for (unsigned l = 0; l < n; l++)
+        record[l] = s->record + s->stride * number[l];
+    const unsigned good = kernels->minors->invert(s->dim, record, n);
+    for (unsigned l = 0; l < n; l++)
+        if (good >> l & 1)
+            fmb_inverse_write_integers(s->dim, record[l]);
+        else
+            s->kind[number[l]] = FMB_KIND_NONE;
+}
+
+static void complete_all_records(fmb_frames *s)
+{
+    const fmb_pair_kernels *kernels = fmb_pair_kernels_choose(FMB_SIMD_AUTO);
+    size_t number[FMB_BLOCK_MOST_LANES];
+    unsigned n = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        if (s->kind[i] != FMB_KIND_NONE)
+            number[n++] = i;
+        if (n > 0 && (n == (unsigned)kernels->width || i + 1 == s->n)) {
+            complete_records(s, kernels, number, n);
+            n = 0;
+        }
+    }
+}
+
+static void find_only_kind(fmb_frames *s)
+{
+    for (size_t i = 0; i < s->n; i++)
+        s->only = i == 0 || s->only == s->kind[i] ? s->kind[i] : -1;
 }
 
 /* Counting sort. */
@@ -164,6 +203,9 @@ static void order_by_kind(fmb_frames *s)
 /* Finish the order and bounds, after all frames were added. */
 static fmb_status put_in_order(fmb_frames *s)
 {
+    if (fmb_minors_is_dim(s->dim))
+        complete_all_records(s);
+    find_only_kind(s);
     order_by_kind(s);
     for (int kind = 0; kind < FMB_KIND_NONE; kind++) {
         s->first_eight[kind] = s->eights;

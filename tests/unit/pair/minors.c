@@ -212,49 +212,114 @@ static void expect_inverse(const fmb_frame *f, const double *record)
     mpq_clear(off);
 }
 
+extern const fmb_minor_kernels minors_plain;
+
+/* The kernels of one width. */
+typedef struct kernel_table {
+    const fmb_minor_kernels *kernels;
+    unsigned width;
+} kernel_table;
+
+/* Tables of this processor. */
+static size_t find_tables(kernel_table out[4])
+{
+    const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
+    size_t n = 0;
+#ifdef HAVE_PLAIN
+    out[n++] = (kernel_table){&minors_plain, 1};
+#endif
+    for (int i = 0; i < 3; i++) {
+        const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
+        if (k)
+            out[n++] = (kernel_table){k->minors, (unsigned)k->width};
+    }
+    return n;
+}
+
+/* The record of f alone, by these kernels; does it have one? */
+static bool make_record(const fmb_minor_kernels *kernels, const fmb_frame *f, double *record)
+{
+    fmb_inverse_write_frame(f, record);
+    if (kernels->invert(f->dim, &record, 1) != 1)
+        return false;
+    fmb_inverse_write_integers(f->dim, record);
+    return true;
+}
+
+/* Is a record of a block the same as alone? Every other frame of the block is flat. */
+static void expect_same_in_block(kernel_table t, const fmb_frame *f, const double *alone)
+{
+    double number[8][NUMBERS], *record[8];
+    for (unsigned l = 0; l < t.width; l++) {
+        record[l] = number[l];
+        fmb_inverse_write_frame(f, record[l]);
+        for (int j = 0; j < f->dim && l % 2 == 1; j++)
+            record[l][f->dim + j] = 0;
+    }
+    const unsigned good = t.kernels->invert(f->dim, record, t.width);
+    cr_expect_eq(good, 0x55U & ((1U << t.width) - 1));
+    for (unsigned l = 0; l < t.width; l += 2) {
+        fmb_inverse_write_integers(f->dim, record[l]);
+        cr_expect_arr_eq(record[l], alone, (size_t)fmb_minors_record(f->dim) * sizeof *alone);
+    }
+}
+
 Test(minors, records)
 {
     int made = 0, whole = 0;
+    kernel_table t[4];
+    const size_t tables = find_tables(t);
     for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
         for (int i = 0; i < 40; i++) {
             static const study_pair_family family[] = {STUDY_PAIR_ARTICLE, STUDY_PAIR_LATTICE,
                                                        STUDY_PAIR_TOUCHING, STUDY_PAIR_INTEGER};
             const study_pair_plan plan = {.family = family[i % 4], .dim = dim, .moves = i / 4 % 2};
+            const kernel_table *by = &t[(size_t)i % tables];
             study_pair p;
             double record[NUMBERS];
             study_pair_draw(&plan, 5, (uint64_t)i, &p);
-            if (!fmb_inverse_record(&p.p, record))
+            if (!make_record(by->kernels, &p.p, record))
                 continue;
             made++;
             whole += record[dim * (2 * dim + 3) + 2] > 0;
             expect_inverse(&p.p, record);
-            for (int j = 0; j < dim; j++) /* flat */
-                p.number[0][p.p.axes - p.number[0] + j] = 0;
-            cr_expect(!fmb_inverse_record(&p.p, record));
+            expect_same_in_block(*by, &p.p, record);
         }
     cr_expect_gt(made, 150);
     cr_expect_gt(whole, 40);
 }
 
-/* ---- verdicts -------------------------------------------------------------------------------- */
-
-extern const fmb_minor_kernels minors_plain;
-
-/* Tables of this processor. */
-static size_t find_tables(const fmb_minor_kernels *out[4])
+/* Frames that have no record: too large, too small, too slender, and numbers that are none. */
+Test(minors, no_records)
 {
-    const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
-    size_t n = 0;
-#ifdef HAVE_PLAIN
-    out[n++] = &minors_plain;
-#endif
-    for (int i = 0; i < 3; i++) {
-        const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
-        if (k)
-            out[n++] = k->minors;
-    }
-    return n;
+    const double bad[] = {NAN, INFINITY, -INFINITY, 0x1p301, 0x1p1023};
+    kernel_table t[4];
+    const size_t tables = find_tables(t);
+    for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
+        for (size_t i = 0; i < tables; i++) {
+            const study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = dim, .moves = true};
+            study_pair p;
+            double record[NUMBERS];
+            study_pair_draw(&plan, 6, i, &p);
+            cr_expect(make_record(t[i].kernels, &p.p, record));
+            for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+                for (int j = 0; j < dim * (dim + 2); j++) {
+                    const double kept = p.number[0][j];
+                    p.number[0][j] = bad[k];
+                    cr_expect(!make_record(t[i].kernels, &p.p, record));
+                    p.number[0][j] = kept;
+                }
+            double *axes = p.number[0] + (p.p.axes - p.number[0]);
+            for (int j = 0; j < dim; j++) /* nearly the second axis */
+                axes[j] = axes[dim + j] * (1 + 0x1p-40 * (j == 0));
+            cr_expect(!make_record(t[i].kernels, &p.p, record));
+            for (int j = 0; j < dim * dim; j++)
+                axes[j] = j % (dim + 1) == 0 ? 0x1p-301 : 0;
+            cr_expect(!make_record(t[i].kernels, &p.p, record));
+        }
 }
+
+/* ---- verdicts -------------------------------------------------------------------------------- */
 
 enum { PAIRS = 100 };
 
@@ -318,6 +383,7 @@ static void draw(study_pair_family family, twist how, int dim, fmb_minors_what w
                                   .moves = what % 2 == 1,
                                   .shape = {(int)what / 2 == 1, (int)what / 2 > 0}};
     const size_t stride = (size_t)fmb_minors_record(dim);
+    const fmb_minor_kernels *narrow = fmb_pair_kernels_choose(FMB_SIMD_PLAIN)->minors;
     fmb_pair_options o = {.size = sizeof o, .method = FMB_PAIR_EXACT, .contact = contact};
     fmb_pair *k = NULL;
     must(fmb_pair_new(dim, &o, NULL, &k));
@@ -329,8 +395,8 @@ static void draw(study_pair_family family, twist how, int dim, fmb_minors_what w
         study_pair *p = &d->pair[d->n];
         study_pair_draw(&plan, 7, i, p);
         change(how, i, p);
-        if (!fmb_inverse_record(&p->p, d->record[0] + stride * d->n) ||
-            !fmb_inverse_record(&p->q, d->record[1] + stride * d->n))
+        if (!make_record(narrow, &p->p, d->record[0] + stride * d->n) ||
+            !make_record(narrow, &p->q, d->record[1] + stride * d->n))
             continue;
         must(fmb_pair_test(
             k, 1, &p->p, &p->q,
@@ -367,7 +433,7 @@ Test(minors, verdicts)
         STUDY_PAIR_ARTICLE, STUDY_PAIR_LATTICE, STUDY_PAIR_TOUCHING, STUDY_PAIR_NEAR,
         STUDY_PAIR_FLAT,    STUDY_PAIR_SCALED,  STUDY_PAIR_RAGGED,   STUDY_PAIR_SWEPT};
     static drawn d;
-    const fmb_minor_kernels *table[4];
+    kernel_table table[4];
     size_t tables = find_tables(table);
     for (size_t f = 0; f < sizeof family / sizeof *family; f++)
         for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
@@ -377,7 +443,7 @@ Test(minors, verdicts)
                 draw(family[f], AS_DRAWN, dim, (fmb_minors_what)what, FMB_CONTACT_CLOSED,
                      dim < 7 ? 40 : 12, &d);
                 for (size_t t = 0; t < tables; t++) {
-                    size_t sure = d.n > 0 ? check(table[t], &d) : 0;
+                    size_t sure = d.n > 0 ? check(table[t].kernels, &d) : 0;
                     cr_expect(family[f] != STUDY_PAIR_ARTICLE || sure + 1 >= d.n, "%zu of %zu",
                               sure, d.n);
                 }
@@ -389,7 +455,7 @@ Test(minors, verdicts)
 Test(minors, whole_numbers)
 {
     static drawn d;
-    const fmb_minor_kernels *table[4];
+    kernel_table table[4];
     size_t tables = find_tables(table);
     for (int dim = FMB_MINORS_LEAST_DIM; dim <= 6; dim++)
         for (int kind = 0; kind < 2 * FMB_MINORS_WHATS; kind++) {
@@ -399,7 +465,7 @@ Test(minors, whole_numbers)
                 continue;
             draw(STUDY_PAIR_LATTICE, AS_DRAWN, dim, what, (fmb_contact)(kind % 2), 60, &d);
             for (size_t t = 0; t < tables; t++) {
-                size_t sure = check(table[t], &d);
+                size_t sure = check(table[t].kernels, &d);
                 cr_expect(kind % 2 || sure == d.n, "%dD %d: %zu of %zu", dim, (int)what, sure, d.n);
             }
         }
@@ -412,7 +478,7 @@ Test(minors, touching)
 {
     static const twist how[] = {AS_DRAWN, NUDGED, SCALED};
     static drawn d;
-    const fmb_minor_kernels *table[4];
+    kernel_table table[4];
     size_t tables = find_tables(table);
     for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
         for (int kind = 0; kind < 6 * FMB_MINORS_WHATS; kind++) {
@@ -424,7 +490,7 @@ Test(minors, touching)
                  dim < 7 ? PAIRS : 16, &d);
             cr_expect_gt(d.n, dim < 7 ? PAIRS / 2u : 4u);
             for (size_t t = 0; t < tables; t++) {
-                size_t sure = check(table[t], &d);
+                size_t sure = check(table[t].kernels, &d);
                 cr_expect(what == FMB_MINORS_MOVING_SIMPLICES || how[kind / 2 % 3] == NUDGED ||
                               (simplices ? 2 * sure > d.n : 10 * sure >= 9 * d.n),
                           "%dD %d: %zu of %zu", dim, kind, sure, d.n);
@@ -436,14 +502,14 @@ Test(minors, touching)
 Test(minors, few_signs)
 {
     static drawn d;
-    const fmb_minor_kernels *table[4];
+    kernel_table table[4];
     size_t tables = find_tables(table);
     for (int dim = FMB_MINORS_LEAST_DIM; dim <= 5; dim++)
         for (int moves = 0; moves < 2; moves++) {
             draw(STUDY_PAIR_LATTICE, AS_DRAWN, dim, (fmb_minors_what)(FMB_MINORS_SIMPLICES + moves),
                  FMB_CONTACT_CLOSED, 60, &d);
             for (size_t t = 0; t < tables; t++) {
-                size_t sure = check(table[t], &d);
+                size_t sure = check(table[t].kernels, &d);
                 cr_expect(4 * sure >= 3 * d.n, "%zu of %zu", sure, d.n);
             }
         }
@@ -454,7 +520,7 @@ Test(minors, few_signs)
 Test(minors, parallel_edges)
 {
     static drawn d;
-    const fmb_minor_kernels *table[4];
+    kernel_table table[4];
     size_t tables = find_tables(table), meeting = 0;
     for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
         for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
@@ -463,7 +529,7 @@ Test(minors, parallel_edges)
             for (size_t i = 0; i < d.n; i++)
                 meeting += d.is[i] == FMB_FEASIBLE;
             for (size_t t = 0; t < tables; t++) {
-                size_t sure = check(table[t], &d);
+                size_t sure = check(table[t].kernels, &d);
                 cr_expect(moves ? 10 * sure >= 9 * d.n : sure == d.n, "%zu of %zu", sure, d.n);
             }
         }

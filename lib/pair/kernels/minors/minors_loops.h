@@ -5,13 +5,11 @@
 #define FMB_PAIR_MINORS_LOOPS_H
 
 #include "pair/kernels/lane/transpose.h"
+#include "pair/kernels/minors/minors_inverse.h"
 #include "pair/kernels/minors/minors_kernel.h"
 
 /* minors_open.h */
 minors_lister FMB_MINORS_LIST;
-
-/* Numbers of the largest record, rounded up. */
-enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
 
 /* Instantiates each kernel once. For a cuboid and a simplex, the cuboid's record is first. */
 #define MINORS_ASK(dim, what)                                                                      \
@@ -171,13 +169,31 @@ FMB_INLINE void minors_pack(int rows, const double *const *from, lane *out)
         transpose_four(from, r, out + r);
 }
 
+static unsigned minors_invert(int dim, double *const *record, unsigned n)
+{
+    const int begin = dim * (dim + 2), end = dim * (2 * dim + 3) + 2;
+    const double *from[FMB_LANES];
+    lane x[FMB_MINORS_MOST_RECORD];
+    for (unsigned l = 0; l < FMB_LANES; l++)
+        from[l] = record[l < n ? l : 0];
+    minors_pack((begin + 3) / 4 * 4, from, x);
+    unsigned good = minors_fill_records(dim, x) & ((1U << n) - 1);
+    for (int r = begin; r < end; r++) {
+        double row[FMB_LANES];
+        lane_store(row, x[r]);
+        for (unsigned l = 0; l < n; l++)
+            record[l][r] = row[l];
+    }
+    return good;
+}
+
 static void minors_tiles(int dim, const double *record, const uint32_t *index, size_t n,
                          double *tiles)
 {
     const int rows = fmb_minors_record(dim);
     for (size_t i = 0; i < (n + 7) / 8 * 8; i += FMB_LANES) {
         const double *from[FMB_LANES];
-        lane out[MINORS_ROWS];
+        lane out[FMB_MINORS_MOST_RECORD];
         for (size_t l = 0; l < FMB_LANES; l++)
             from[l] = record + (size_t)rows * index[i + l < n ? i + l : n - 1];
         minors_pack(rows, from, out);
@@ -190,7 +206,7 @@ static void minors_row(int dim, fmb_minors_what what, const fmb_packed_row *x, d
                        fmb_packed_bits *out)
 {
     const int rows = fmb_minors_record(dim);
-    lane one[MINORS_ROWS];
+    lane one[FMB_MINORS_MOST_RECORD];
     const double *tiles = x->tiles;
     for (int r = 0; r < rows; r++)
         one[r] = lane_of(x->one[r]);
@@ -213,7 +229,7 @@ static bool minors_pairs(int dim, fmb_minors_what what, const fmb_packed_pairs *
     const int rows = fmb_minors_record(dim);
     bool known = true;
     for (size_t i = 0; i < x->n; i += FMB_LANES) {
-        lane side[2][MINORS_ROWS];
+        lane side[2][FMB_MINORS_MOST_RECORD];
         for (int s = 0; s < 2; s++) {
             const double *from[FMB_LANES];
             for (size_t l = 0; l < FMB_LANES; l++)
@@ -234,6 +250,6 @@ static bool minors_pairs(int dim, fmb_minors_what what, const fmb_packed_pairs *
 
 extern const fmb_minor_kernels FMB_MINORS_TABLE;
 const fmb_minor_kernels FMB_MINORS_TABLE = {
-    .pairs = minors_pairs, .tiles = minors_tiles, .row = minors_row};
+    .invert = minors_invert, .pairs = minors_pairs, .tiles = minors_tiles, .row = minors_row};
 
 #endif
