@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include "pairs.h"
 #include "subjects.h"
@@ -125,7 +126,8 @@ static void ask_with_and_without(void *self, problem *p, peer_question question)
     child_outcome_clear(&with);
     for (int v = 0; v < count; v++)
         problem_clear(&variants[v]);
-    fprintf(stderr, "\r%u problems, last %-40s", s->problems, p->name);
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r%u problems, last %-40s", s->problems, p->name);
     problem_clear(p);
 }
 
