@@ -4,9 +4,10 @@
  * Pairs by index: frame i of one set and frame i of another, 65,536 distinct pairs of the article's
  * generator of one verdict. All against all: 256 frames and 256 others. Ways take turns; times are
  * this thread's CPU time, medians over the passes, the least in brackets. In four to eight
- * dimensions fewer frames, of which about half meet (axes are longer), none, or all with parallel
- * edges; the ratio is to two cuboids in space, taken in turns with them. Then pairs that touch, and
- * those of small whole numbers. See README.md.
+ * dimensions fewer frames: those of which about half meet (axes are longer), the article's, of
+ * which a few do, some of which none do, and some with parallel edges; the ratio is to two cuboids
+ * in space, taken in turns with them. Then pairs that touch, and those of small whole numbers. See
+ * README.md.
  */
 #include <string.h>
 
@@ -320,10 +321,11 @@ static const double HALF[3][5] = {
 static void measure_kinds(int dim, int simplices, bool moves, fmb_simd simd)
 {
     const fmb_shape shape[2] = {simplices == 2, simplices > 0};
-    many_cell cell[3] = {{"half", dim, moves, HALF[simplices][dim - 4], false, {0}},
+    many_cell cell[4] = {{"half", dim, moves, HALF[simplices][dim - 4], false, {0}},
+                         {"few", dim, moves, 1, false, {0}},
                          {"apart", dim, moves, 8, false, {0}},
                          {"parallel", dim, moves, HALF[simplices][dim - 4], true, {0}}};
-    for (int i = 0; i < (simplices ? 2 : 3); i++) {
+    for (int i = 0; i < (simplices ? 3 : 4); i++) {
         memcpy(cell[i].shape, shape, sizeof shape);
         measure_many(&cell[i], simd);
     }

@@ -71,9 +71,12 @@ static double *align_to_lanes(double *p)
                    FMB_BLOCK_MOST_LANES;
 }
 
+/* Numbers of the workspace of kernels, and of the records of pairs. */
 static size_t room_of_minors(int dim)
 {
-    return fmb_minors_is_dim(dim) ? fmb_minors_room(dim) + FMB_BLOCK_MOST_LANES : 0;
+    return fmb_minors_is_dim(dim) ? fmb_minors_room(dim) + FMB_BLOCK_MOST_LANES +
+                                        2 * (size_t)FMB_MINOR_PAIRS * (size_t)fmb_minors_record(dim)
+                                  : 0;
 }
 
 fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hook, fmb_pair **out)
@@ -97,6 +100,7 @@ fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hoo
                     ? fmb_mem_get(&k->mem, room_of_minors(dim), sizeof *k->minors)
                     : NULL;
     k->room = k->minors ? align_to_lanes(k->minors) : NULL;
+    k->record = k->minors ? k->room + fmb_minors_room(dim) : NULL;
     k->general = fmb_general_new(dim, o->simd, &k->mem);
     bool good = k->general && (k->minors || !fmb_minors_is_dim(dim));
     fmb_status st = good ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;

@@ -157,7 +157,7 @@ static fmb_status flush_minors(const fmb_pair_call *a, fmb_minors_what what)
     unsigned made = 0;
     const int n = b->n;
     b->n = 0;
-    if (fmb_minors_of_frames_pay(a->k->dim, n))
+    if (fmb_minors_of_frames_pay(a, n))
         bits = fmb_minors_of_frames(a, what, b->pair, n, &made);
     open.known = FMB_PAIR_OPEN;
     for (int l = 0; st == FMB_OK && l < n; l++) {
@@ -178,13 +178,13 @@ static fmb_status wait_for_minors(const fmb_pair_call *a, fmb_minors_what what, 
 {
     fmb_minor_block *b = &a->k->minor[what];
     b->pair[b->n++] = i;
-    return b->n == a->kernels->width ? flush_minors(a, what) : FMB_OK;
+    return b->n == FMB_MINOR_PAIRS ? flush_minors(a, what) : FMB_OK;
 }
 
 /* Shall pair i wait? Then *what is its kind. */
 static bool is_for_minors(const fmb_pair_call *a, size_t i, fmb_minors_what *what)
 {
-    return !a->alone && a->known != FMB_PAIR_OPEN && a->k->options.method != FMB_PAIR_EXACT &&
+    return !a->alone && a->known == FMB_PAIR_NEW && a->k->options.method != FMB_PAIR_EXACT &&
            fmb_minors_of_frames_kind(a, i, what) && fmb_way(FMB_WAY_PAIR_KERNELS);
 }
 

@@ -18,9 +18,11 @@
 enum { STAGE_VERDICT, STAGE_BOX, STAGES = STAGE_BOX + FMB_BOX_LEVELS };
 enum { KINDS = 2 * 2 * 2, FLAT_BLOCK = STAGES * KINDS, BLOCKS };
 
-/* Pairs of one kind in four to eight dimensions that wait for a kernel over records. */
+/* Pairs of one kind in four to eight dimensions that wait for a kernel over records, which is asked
+ * about so many at once: it brings those together that need more than tests of faces. */
+enum { FMB_MINOR_PAIRS = 32 };
 typedef struct fmb_minor_block {
-    size_t pair[FMB_BLOCK_MOST_LANES];
+    size_t pair[FMB_MINOR_PAIRS];
     int n;
 } fmb_minor_block;
 
@@ -37,6 +39,7 @@ struct fmb_pair {
     int threads;         /* at least 1 */
     fmb_threads running; /* opened by the first query that needs them */
     double *room;        /* workspace of kernels in 4 to 8 dimensions, within minors; or NULL */
+    double *record;      /* behind it: records of FMB_MINOR_PAIRS pairs */
     double *minors;
     char error[FMB_FRAME_FAULT_SIZE + 40]; /* why the last call returned FMB_ERR_ARG */
     uint64_t waiting;                      /* bits of blocks that are not empty */

@@ -230,32 +230,52 @@ FMB_INLINE minors_part minors_part_from_simplex(minors_kind d, int k)
     return k < minors_last_from_simplex(d) ? MINORS_KEPT : d.moves ? MINORS_DRIFTED : MINORS_LAST;
 }
 
-/* All rows except faces of a cuboid seen from a simplex: minors_mixed.h. */
-FMB_INLINE void minors_levels_from_simplex(minors_kind d, minors_view *v, minors_said *said)
+/* The open lanes, if there are no more than `few`, or 0. */
+FMB_INLINE unsigned minors_few_open(const minors_said *said, int few)
 {
+    const unsigned all = (1U << FMB_LANES) - 1, open = all & ~minors_bits(said).apart;
+    return __builtin_popcount(open) <= few ? open : 0;
+}
+
+/* All rows except faces of a cuboid seen from a simplex: minors_mixed.h. Returns the lanes that are
+ * open where it stops as these are few, else 0. */
+FMB_INLINE unsigned minors_levels_from_simplex(minors_kind d, minors_view *v, int few,
+                                               minors_said *said)
+{
+    const int last = minors_last_from_simplex(d);
+    unsigned open = 0;
 #pragma GCC unroll 4
-    for (int k = 1; k <= minors_last_from_simplex(d); k++)
+    for (int k = 1; k <= last; k++) {
         if (minors_level(d, v, k, minors_part_from_simplex(d, k), said))
-            return;
+            return 0;
+        if (k < last && (open = minors_few_open(said, few)) != 0)
+            return open;
+    }
+    return 0;
 }
 
 /* All rows except faces. Levels that both sides need are compiled once, where that is no loss: see
- * minors_level. */
-FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said)
+ * minors_level. Returns the lanes that are open where it stops as these are few, else 0. */
+FMB_INLINE unsigned minors_levels(minors_kind d, minors_view v[2], int few, minors_said *said)
 {
+    const int last = (d.n - 1) / 2;
+    unsigned open = 0;
 #pragma GCC unroll 3
-    for (int k = 1; k <= (d.n - 1) / 2; k++) {
+    for (int k = 1; k <= last; k++) {
         const bool both = k <= (d.n - 2) / 2;
         const minors_part part[2] = {minors_part_of(d, 0, k), minors_part_of(d, 1, k)};
         if (both && part[0] == part[1] && d.n > 4) {
             for (int side = 0; side < 2; side++)
                 if (minors_level(d, &v[side], k, part[0], said))
-                    return;
+                    return 0;
         } else if (minors_level(d, &v[0], k, part[0], said) ||
                    (both && minors_level(d, &v[1], k, part[1], said))) {
-            return;
+            return 0;
         }
+        if (k < last && (open = minors_few_open(said, few)) != 0)
+            return open;
     }
+    return 0;
 }
 
 /* The kinds of questions. */
@@ -272,6 +292,7 @@ typedef struct minors_asked {
     unsigned lanes; /* for MINORS_POINT: lanes to decide */
     minors_lister *list;
     fmb_open_rows *rows; /* receives the open rows, from `list` */
+    int few;             /* stop early where no more lanes than that are open; 0: never */
 } minors_asked;
 
 /* The view of frame `to` from `from`, with memory for its minors, and the tests of faces. For a
@@ -311,14 +332,15 @@ FMB_INLINE bool minors_is_over(minors_kind d, minors_how how, const minors_said 
            (!d.simplices && how == MINORS_WHOLE && !lane_bits(said->known));
 }
 
-/* Decide lanes of records a and b; room as in minors_kernels.h. For MINORS_POINT: returns the lanes
- * that a common point proves to meet. */
+/* Decide lanes of records a and b; room as in minors_kernels.h. Returns, for MINORS_POINT, the
+ * lanes that a common point proves to meet, else those that are open where it stops early, or 0. */
 FMB_INLINE unsigned minors_ask(minors_kind d, const minors_asked *x, const lane *a, const lane *b,
                                double *room, minors_said *out)
 {
     const size_t half = fmb_minors_room(d.dim) / FMB_BLOCK_MOST_LANES / 2;
     minors_view v[2];
     minors_said said = {out->apart, out->meet, out->known};
+    unsigned open = 0;
     minors_see(minors_side(d, 0), x->how, a, b, (lane *)room, &v[0], &said);
     if (x->how == MINORS_POINT)
         return minors_find_point(d, &v[0], x->lanes);
@@ -333,14 +355,14 @@ FMB_INLINE unsigned minors_ask(minors_kind d, const minors_asked *x, const lane 
     }
     if (!minors_is_over(d, x->how, &said)) {
         if (d.from_simplex)
-            minors_levels_from_simplex(d, &v[0], &said);
+            open = minors_levels_from_simplex(d, &v[0], x->few, &said);
         else
-            minors_levels(d, v, &said);
+            open = minors_levels(d, v, x->few, &said);
     }
     out->apart = said.apart;
     out->meet = said.meet;
     out->known = said.known;
-    return 0;
+    return open;
 }
 
 #endif

@@ -142,14 +142,27 @@ static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(int dim, fmb_minors_wha
     return bits;
 }
 
-/* Answer a block: the first n lanes are pairs, others repeat one of these. */
-static fmb_pair_bits minors_answer(int dim, fmb_minors_what what, bool closed, const lane *a,
-                                   const lane *b, double *room, size_t n)
+/* So many open lanes of a block, or less, are answered together with those of other blocks: rows
+ * beyond faces cost as much for one lane as for all of them. 0: gathering records takes longer than
+ * that (docs/experiments.md). */
+FMB_INLINE int minors_few(int dim, fmb_minors_what what)
+{
+    const int columns = dim + (int)what % 2 + (what >= FMB_MINORS_SIMPLICES);
+    return columns > 5 ? FMB_LANES / 2 : 0;
+}
+
+/* Answer a block: the first n lanes are pairs, others repeat one of these. If `few` lanes
+ * or less are open before all rows are tested, these become *waiting. */
+FMB_INLINE fmb_pair_bits minors_answer(int dim, fmb_minors_what what, bool closed, const lane *a,
+                                       const lane *b, double *room, size_t n, int few,
+                                       unsigned *waiting)
 {
     const unsigned asked = n < FMB_LANES ? (1U << n) - 1 : (1U << FMB_LANES) - 1;
     minors_asker *ask = MINORS_ASKERS[what][dim - FMB_MINORS_LEAST_DIM];
     minors_said said = minors_silent();
-    ask(&(minors_asked){.how = MINORS_AT_0}, a, b, room, &said);
+    *waiting = asked & ask(&(minors_asked){.how = MINORS_AT_0, .few = few}, a, b, room, &said);
+    if (*waiting)
+        return (fmb_pair_bits){asked & ~*waiting, 0};
     if (what == FMB_MINORS_MOVING_SIMPLICES && !minors_all_apart(&said))
         ask(&(minors_asked){.how = MINORS_AT_1}, a, b, room, &said);
     fmb_pair_bits bits = minors_bits(&said);
@@ -202,10 +215,57 @@ static void minors_tiles(int dim, const double *record, const uint32_t *index, s
     }
 }
 
+/* Places of pairs, in a row or among pairs by index, that wait to fill a block. Fewer than a block
+ * wait when lanes of eight pairs are added, half of them at most, or of one if there are two. */
+typedef struct minors_queue {
+    size_t place[3 * FMB_LANES];
+    size_t n;
+} minors_queue;
+
+static void minors_add_waiting(minors_queue *q, unsigned waiting, size_t first)
+{
+    for (; waiting; waiting &= waiting - 1)
+        q->place[q->n++] = first + (size_t)__builtin_ctz(waiting);
+}
+
+/* Take the places of a block off the queue; returns how many these are. */
+static size_t minors_take_waiting(minors_queue *q, size_t place[FMB_LANES])
+{
+    const size_t n = q->n < FMB_LANES ? q->n : FMB_LANES;
+    q->n -= n;
+    for (size_t l = 0; l < FMB_LANES; l++)
+        place[l] = q->place[q->n + (l < n ? l : 0)];
+    return n;
+}
+
+/* Answer frames of a row that wait, as one block. */
+static void minors_answer_waiting_of_row(int dim, fmb_minors_what what, const fmb_packed_row *x,
+                                         const lane *one, minors_queue *q, double *room,
+                                         fmb_packed_bits *out)
+{
+    const int rows = fmb_minors_record(dim);
+    size_t place[FMB_LANES], n = minors_take_waiting(q, place);
+    const double *from[FMB_LANES];
+    lane other[FMB_MINORS_MOST_RECORD];
+    unsigned none;
+    for (size_t l = 0; l < FMB_LANES; l++)
+        from[l] = x->record + (size_t)rows * x->index[place[l]];
+    minors_pack(rows, from, other);
+    const lane *side[2] = {one, other};
+    const fmb_pair_bits bits =
+        minors_answer(dim, what, x->closed, side[x->swapped], side[!x->swapped], room, n, 0, &none);
+    for (size_t l = 0; l < n; l++) {
+        fmb_packed_bits *to = &out[place[l] / 8];
+        to->apart = (uint8_t)(to->apart | (bits.apart >> l & 1) << place[l] % 8);
+        to->meet = (uint8_t)(to->meet | (bits.meet >> l & 1) << place[l] % 8);
+    }
+}
+
 static void minors_row(int dim, fmb_minors_what what, const fmb_packed_row *x, double *room,
                        fmb_packed_bits *out)
 {
     const int rows = fmb_minors_record(dim);
+    minors_queue q = {.n = 0};
     lane one[FMB_MINORS_MOST_RECORD];
     const double *tiles = x->tiles;
     for (int r = 0; r < rows; r++)
@@ -214,37 +274,68 @@ static void minors_row(int dim, fmb_minors_what what, const fmb_packed_row *x, d
         out[g] = (fmb_packed_bits){0, 0};
         for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
             const lane *side[2] = {one, (const lane *)tiles};
-            fmb_pair_bits some =
-                minors_answer(dim, what, x->closed, side[x->swapped], side[!x->swapped], room,
-                              x->n > 8 * g + l ? x->n - 8 * g - l : 0);
+            unsigned waiting;
+            fmb_pair_bits some = minors_answer(
+                dim, what, x->closed, side[x->swapped], side[!x->swapped], room,
+                x->n > 8 * g + l ? x->n - 8 * g - l : 0, minors_few(dim, what), &waiting);
             out[g].apart = (uint8_t)(out[g].apart | some.apart << l);
             out[g].meet = (uint8_t)(out[g].meet | some.meet << l);
+            minors_add_waiting(&q, waiting, 8 * g + l);
         }
+        while (q.n >= FMB_LANES)
+            minors_answer_waiting_of_row(dim, what, x, one, &q, room, out);
     }
+    while (q.n > 0)
+        minors_answer_waiting_of_row(dim, what, x, one, &q, room, out);
+}
+
+/* Answer the pairs at these places, as one block; returns the lanes that wait. */
+static unsigned minors_answer_pairs(int dim, fmb_minors_what what, const fmb_packed_pairs *x,
+                                    const size_t place[FMB_LANES], size_t n, int few, double *room,
+                                    fmb_verdict *out)
+{
+    const int rows = fmb_minors_record(dim);
+    lane side[2][FMB_MINORS_MOST_RECORD];
+    unsigned waiting;
+    for (int s = 0; s < 2; s++) {
+        const double *from[FMB_LANES];
+        for (size_t l = 0; l < FMB_LANES; l++)
+            from[l] = x->record[s] + (size_t)rows * x->index[s][2 * place[l]];
+        minors_pack(rows, from, side[s]);
+    }
+    fmb_pair_bits bits =
+        minors_answer(dim, what, x->closed, side[0], side[1], room, n, few, &waiting);
+    for (size_t l = 0; l < n; l++)
+        if (!(waiting >> l & 1))
+            out[place[l]] = bits.apart >> l & 1  ? FMB_INFEASIBLE
+                            : bits.meet >> l & 1 ? FMB_FEASIBLE
+                                                 : FMB_UNKNOWN;
+    return waiting;
 }
 
 static bool minors_pairs(int dim, fmb_minors_what what, const fmb_packed_pairs *x, double *room,
                          fmb_verdict *out)
 {
-    const int rows = fmb_minors_record(dim);
+    minors_queue q = {.n = 0};
+    size_t place[FMB_LANES];
     bool known = true;
     for (size_t i = 0; i < x->n; i += FMB_LANES) {
-        lane side[2][FMB_MINORS_MOST_RECORD];
-        for (int s = 0; s < 2; s++) {
-            const double *from[FMB_LANES];
-            for (size_t l = 0; l < FMB_LANES; l++)
-                from[l] = x->record[s] +
-                          (size_t)rows * x->index[s][2 * (i + l < x->n ? i + l : x->n - 1)];
-            minors_pack(rows, from, side[s]);
-        }
-        fmb_pair_bits bits = minors_answer(dim, what, x->closed, side[0], side[1], room, x->n - i);
-        for (size_t l = 0; l < FMB_LANES && i + l < x->n; l++) {
-            out[i + l] = bits.apart >> l & 1  ? FMB_INFEASIBLE
-                         : bits.meet >> l & 1 ? FMB_FEASIBLE
-                                              : FMB_UNKNOWN;
-            known &= out[i + l] != FMB_UNKNOWN;
+        const size_t n = x->n - i < FMB_LANES ? x->n - i : FMB_LANES;
+        for (size_t l = 0; l < FMB_LANES; l++)
+            place[l] = i + (l < n ? l : 0);
+        const int few = x->n > FMB_LANES ? minors_few(dim, what) : 0;
+        minors_add_waiting(&q, minors_answer_pairs(dim, what, x, place, n, few, room, out), i);
+        if (q.n >= FMB_LANES) {
+            const size_t taken = minors_take_waiting(&q, place);
+            (void)minors_answer_pairs(dim, what, x, place, taken, 0, room, out);
         }
     }
+    while (q.n > 0) {
+        const size_t taken = minors_take_waiting(&q, place);
+        (void)minors_answer_pairs(dim, what, x, place, taken, 0, room, out);
+    }
+    for (size_t i = 0; i < x->n; i++)
+        known &= out[i] != FMB_UNKNOWN;
     return known;
 }
 
