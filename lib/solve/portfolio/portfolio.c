@@ -5,6 +5,7 @@
 
 #include "base/ways.h"
 #include "elim/round/mark.h"
+#include "solve/limit/outer.h"
 #include "solve/portfolio/project_elimination.h"
 #include "solve/portfolio/project_rays.h"
 #include "solve/portfolio/project_support.h"
@@ -415,6 +416,16 @@ static fmb_status take_turns(part_run *r, const fmb_choice *c)
     return st;
 }
 
+/* At a limit of time while another engine runs: what an elimination has proved until its last slice
+ * counts, too. */
+static fmb_status put_rows_of_paused_elimination(part_run *r)
+{
+    const bool paused = r->e.q && r->e.e.n > 0 && r->engine != FMB_ENGINE_ELIMINATION;
+    return paused && r->q->run.stop != FMB_STOP_DONE
+               ? fmb_outer_rows(r->q, r->e.p, &r->e.e, r->place, r->out)
+               : FMB_OK;
+}
+
 static fmb_status run_portfolio(part_run *r)
 {
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
@@ -438,6 +449,7 @@ static fmb_status run_portfolio(part_run *r)
         if (is_open(st, r))
             st = take_turns(r, &c);
     }
+    fmb_status proved = st == FMB_LIMIT ? put_rows_of_paused_elimination(r) : FMB_OK;
     if (r->e.q)
         fmb_elim_clear(&r->e.e);
     fmb_ray_projection_close(r->rays);
@@ -445,7 +457,7 @@ static fmb_status run_portfolio(part_run *r)
     fmb_status kept =
         st == FMB_LIMIT && r->queries ? fmb_queries_finish(r->queries, r->out) : FMB_OK;
     fmb_queries_close(r->queries);
-    return kept != FMB_OK ? kept : st;
+    return proved != FMB_OK ? proved : kept != FMB_OK ? kept : st;
 }
 
 fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
