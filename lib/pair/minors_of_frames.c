@@ -1,7 +1,7 @@
 /* minors_of_frames.c: see minors_of_frames.h. */
 #include "pair/minors_of_frames.h"
 
-#include "pair/packed/inverse.h"
+#include "pair/kernels/inverse.h"
 
 static bool has_all_edges(const fmb_frame *f, int dim)
 {

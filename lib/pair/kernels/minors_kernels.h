@@ -9,7 +9,7 @@
  *
  * and zeros up to a multiple of eight numbers. inverse times (point - origin) gives the coordinates
  * of a point along the axes; reach bounds the sum of the absolute values of each row of it, size
- * the numbers of the axes. Exact definitions, and which frames have records: packed/inverse.h.
+ * the numbers of the axes. Exact definitions, and which frames have records: kernels/inverse.h.
  */
 #ifndef FMB_PAIR_KERNELS_MINORS_KERNELS_H
 #define FMB_PAIR_KERNELS_MINORS_KERNELS_H

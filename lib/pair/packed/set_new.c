@@ -7,9 +7,9 @@
 #include "base/sized.h"
 #include "frame/frame_private.h"
 #include "pair/corner_edges.h"
+#include "pair/kernels/inverse.h"
 #include "pair/kernels/minors_kernels.h"
 #include "pair/packed/bounds.h"
-#include "pair/packed/inverse.h"
 
 enum { LINE = FMB_RECORD_LINE };
 

@@ -184,7 +184,7 @@ static void count_point(minors_kind d, const lane *a, const lane *b, lane size)
     (void)minors_check_point(d, &v, &p);
 }
 
-/* Records of frames of one size; inverses are off as packed/inverse.h has it. */
+/* Records of frames of one size; inverses are off as kernels/inverse.h has it. */
 static void count_minors(int dim, int what)
 {
     static const char *const name[3] = {"minors", "minors of simplices", "minors of one of each"};

@@ -8,10 +8,10 @@
 
 #include <fmb/frames.h>
 
+#include "pair/kernels/inverse.h"
 #include "pair/kernels/minors/minors_table.h"
 #include "pair/kernels/minors_kernels.h"
 #include "pair/kernels/pair_kernels.h"
-#include "pair/packed/inverse.h"
 #include "property/random/rows.h"
 #include "study/draw/draft.h"
 #include "study/draw/pairs.h"
@@ -138,7 +138,7 @@ static bool is_multiple(double x, double of)
     return x / of == rint(x / of);
 }
 
-/* What stands behind the size, of whole numbers: is it as packed/inverse.h says? */
+/* What stands behind the size, of whole numbers: is it as kernels/inverse.h says? */
 static void expect_whole(const fmb_frame *f, const double *more)
 {
     for (int j = 0; j < f->dim * f->dim; j++)

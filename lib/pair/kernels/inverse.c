@@ -1,5 +1,5 @@
 /* inverse.c: see inverse.h. */
-#include "pair/packed/inverse.h"
+#include "pair/kernels/inverse.h"
 
 #include <limits.h>
 #include <math.h>
