@@ -28,6 +28,21 @@ static bool is_flat_and_beside(const listed_cell *flat, const listed_cell *other
                                   fmb_cell_common(&flat->cell, &other->cell));
 }
 
+/* Does a flat triangle, which is a segment, lie along an edge whose ends it shares with a cell that
+ * is not flat? The line of the edge meets that cell in the edge alone. */
+static bool is_flat_along_edge(const listed_cell *flat, const listed_cell *other)
+{
+    const uint32_t *id = flat->cell.id;
+    if (flat->faults != FMB_MESH_FLAT || other->faults || flat->cell.corners != 3)
+        return false;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t p = id[k], q = id[(k + 1) % 3];
+        if (p != q && fmb_cell_has(&other->cell, p) && fmb_cell_has(&other->cell, q))
+            return true;
+    }
+    return false;
+}
+
 static fmb_status decide_cells(fmb_tree_walk *x, const listed_cell *a, const listed_cell *b,
                                unsigned common, fmb_mesh_how *how)
 {
@@ -43,6 +58,10 @@ static fmb_status decide_cells(fmb_tree_walk *x, const listed_cell *a, const lis
         return FMB_OK;
     if (!x->plan->o->motion && (is_flat_and_beside(a, b) || is_flat_and_beside(b, a))) {
         *how = shared > 0 ? FMB_MESH_SHARE : FMB_MESH_APART;
+        return FMB_OK;
+    }
+    if (!x->plan->o->motion && (is_flat_along_edge(a, b) || is_flat_along_edge(b, a))) {
+        *how = FMB_MESH_SHARE;
         return FMB_OK;
     }
     x->out.framed++;
