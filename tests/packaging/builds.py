@@ -73,7 +73,7 @@ def by_cmake():
     refused = f"{major}.{minor}.{patch + 1} {major}.{minor + 1} {major + 1}.{minor}"
     text = CMAKE.replace("@VERSION@", version).replace("@EXAMPLES@", str(examples)).replace("@REFUSED@", refused)
     (folder / "CMakeLists.txt").write_text(text)
-    call("cmake", "-S", folder, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}")
+    call("cmake", "-G", "Ninja", "-S", folder, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}")
     call("cmake", "--build", folder)
     return libraries
 
