@@ -127,20 +127,24 @@ static fmb_status flush_verdicts(const fmb_pair_call *a, const fmb_block *b, int
     return stay ? find_boxes_of_lanes(a, b, STAGE_BOX, kind, boxed) : FMB_OK;
 }
 
+/* Take what kernels that have no boxes say of pair i; if they leave it open, `open` decides. */
+static fmb_status take_verdict(const fmb_pair_call *a, size_t i, bool meet, bool apart,
+                               const fmb_pair_call *open)
+{
+    if (!meet && !apart)
+        return decide_generally(open, STAGES, 0, i);
+    a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    return meet && a->boxes ? fmb_single_pair_answer(a, i) : FMB_OK;
+}
+
 /* Decide the block of frames with any number of axes. */
 static fmb_status flush_flat_verdicts(const fmb_pair_call *a, const fmb_block *b)
 {
     fmb_pair_bits bits = a->kernels->packed->flat(&a->k->flat, b->number);
     for (int lane = 0; lane < b->lanes; lane++) {
-        size_t i = b->pair[lane];
         bool meet = bits.meet >> lane & 1, apart = bits.apart >> lane & 1;
         fmb_way_answered(FMB_WAY_PAIR_FLAT, meet || apart);
-        if (meet || apart)
-            a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
-        if (!meet && !apart)
-            FMB_TRY(decide_generally(a, STAGES, 0, i));
-        else if (meet && a->boxes)
-            FMB_TRY(fmb_single_pair_answer(a, i));
+        FMB_TRY(take_verdict(a, b->pair[lane], meet, apart, a));
     }
     return FMB_OK;
 }
@@ -161,15 +165,9 @@ static fmb_status flush_minors(const fmb_pair_call *a, fmb_minors_what what)
         bits = fmb_minors_of_frames(a, what, b->pair, n, &made);
     open.known = FMB_PAIR_OPEN;
     for (int l = 0; st == FMB_OK && l < n; l++) {
-        const size_t i = b->pair[l];
         const bool meet = bits.meet >> l & 1, apart = bits.apart >> l & 1;
         fmb_way_answered(FMB_WAY_PAIR_KERNELS, meet || apart);
-        if (meet || apart)
-            a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
-        if (!meet && !apart)
-            st = decide_generally(made >> l & 1 ? &open : a, STAGES, 0, i);
-        else if (meet && a->boxes)
-            st = fmb_single_pair_answer(a, i);
+        st = take_verdict(a, b->pair[l], meet, apart, made >> l & 1 ? &open : a);
     }
     return st;
 }
