@@ -2,12 +2,13 @@
  * where no pointer is followed, how fast are frames with fewer axes, and do threads help?
  *
  * Pairs by index: frame i of one set and frame i of another, 65,536 distinct pairs of the article's
- * generator of one verdict. All against all: 256 frames and 256 others. Ways take turns; times are
- * this thread's CPU time, medians over the passes, the least in brackets. In four to eight
- * dimensions fewer frames: those of which about half meet (axes are longer), the article's, of
- * which a few do, some of which none do, and some with parallel edges; the ratio is to two cuboids
- * in space, taken in turns with them. Then pairs that touch, and those of small whole numbers. See
- * README.md.
+ * generator of one verdict. With --large, half a million pairs of frames drawn at random from sets
+ * of as many, far larger than caches. All against all: 256 frames and 256 others. Ways take turns;
+ * times are this thread's CPU time, medians over the passes, the least in brackets. In four to
+ * eight dimensions fewer frames: those of which about half meet (axes are longer), the article's,
+ * of which a few do, some of which none do, and some with parallel edges; the ratio is to two
+ * cuboids in space, taken in turns with them. Then pairs that touch, and those of small whole
+ * numbers. See README.md.
  */
 #include <string.h>
 
@@ -20,7 +21,7 @@
 #include "study/draw/draft.h"
 #include "study/sat/sat.h"
 
-enum { PAIRS = 65536, SIDE = 256, PASSES = 15 };
+enum { PAIRS = 65536, LARGE = 8 * PAIRS, SIDE = 256, PASSES = 15 };
 
 /* ---- ways ------------------------------------------------------------------------------------ */
 
@@ -61,6 +62,7 @@ static fmb_status ask_all(void *self, size_t first, size_t n)
 
 typedef struct duel {
     way w[2]; /* elimination, separating axes */
+    size_t queries;
     study_clock clock;
 } duel;
 
@@ -70,7 +72,7 @@ static void run_duel(duel *d, fmb_status (*run)(void *, size_t, size_t), int way
     for (int i = 0; i < ways; i++)
         timed[i] = (study_timed){run, &d->w[i]};
     d->clock = (study_clock){
-        .way = timed, .ways = (size_t)ways, .queries = PAIRS, .groups = 1, .passes = PASSES};
+        .way = timed, .ways = (size_t)ways, .queries = d->queries, .groups = 1, .passes = PASSES};
     must(study_clock_run(&d->clock));
     d->clock.way = NULL;
 }
@@ -91,6 +93,7 @@ static void open_duel(const study_pair_plan *plan, fmb_simd simd, duel *d)
     o.simd = simd;
     for (uint32_t i = 0; i < PAIRS; i++)
         pair[i] = (fmb_frames_pair){i, i};
+    d->queries = PAIRS;
     for (int i = 0; i < 2; i++)
         d->w[i] = (way){.pair = pair, .verdict = verdict[i]};
     must(fmb_pair_new(plan->dim, &o, NULL, &d->w[0].k));
@@ -119,6 +122,40 @@ static void measure_pairs(const study_pair_plan *plan, fmb_simd simd, fmb_verdic
     if (memcmp(d.w[0].verdict, d.w[1].verdict, PAIRS * sizeof(fmb_verdict)) != 0)
         printf("the two differ\n");
     study_pairs_free(&pairs);
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    fmb_pair_free(d.w[0].k);
+    fmb_pair_free(d.w[1].k);
+}
+
+/* Pairs as drawn, of sets that no cache holds, in no order. */
+static void measure_large(const study_pair_plan *plan, fmb_simd simd)
+{
+    static fmb_frames_pair pair[LARGE];
+    static fmb_verdict verdict[2][LARGE];
+    duel d;
+    study_pairs pairs;
+    uint64_t state;
+    fmb_frames *a = NULL, *b = NULL;
+    open_duel(plan, simd, &d);
+    d.queries = LARGE;
+    must(study_pairs_make(plan, 7, LARGE, NULL, NULL, &pairs));
+    must(fmb_frames_new(plan->dim, LARGE, pairs.p, NULL, &a));
+    must(fmb_frames_new(plan->dim, LARGE, pairs.q, NULL, &b));
+    study_pairs_free(&pairs);
+    study_splitmix.set(&state, 8);
+    for (size_t i = 0; i < LARGE; i++)
+        pair[i] = (fmb_frames_pair){(uint32_t)(LARGE * study_splitmix.get_double(&state)),
+                                    (uint32_t)(LARGE * study_splitmix.get_double(&state))};
+    for (int i = 0; i < 2; i++) {
+        d.w[i].pair = pair;
+        d.w[i].verdict = verdict[i];
+    }
+    set_frames(&d, a, b);
+    run_duel(&d, ask_pairs, 2);
+    print_duel("large", plan, &d);
+    if (memcmp(verdict[0], verdict[1], sizeof verdict[0]) != 0)
+        printf("the two differ\n");
     fmb_frames_free(a);
     fmb_frames_free(b);
     fmb_pair_free(d.w[0].k);
@@ -417,12 +454,14 @@ int main(int argc, char **argv)
                 {"segment, tetrahedron", {1, 3}},
                 {"two segments", {1, 1}}};
     fmb_simd simd = FMB_SIMD_AUTO;
-    bool many = false;
+    bool many = false, large = false;
     for (int i = 1; i < argc; i++)
         if (strcmp(argv[i], "--many") == 0) {
             many = true;
+        } else if (strcmp(argv[i], "--large") == 0) {
+            large = true;
         } else if (!parse_simd(argv[i], &simd)) {
-            fprintf(stderr, "usage: bench-packed [--simd=plain|avx2|avx512] [--many]\n");
+            fprintf(stderr, "usage: bench-packed [--simd=plain|avx2|avx512] [--many | --large]\n");
             return 64;
         }
     printf("{");
@@ -433,6 +472,12 @@ int main(int argc, char **argv)
         return 0;
     }
     printf("%-20s  %14s  %14s  %6s\n", "ns [least]", "fmb", "sat", "ratio");
+    for (int i = 0; large && i < CELLS; i++) {
+        study_pair_plan plan = cell_plan(i);
+        measure_large(&plan, simd);
+    }
+    if (large)
+        return 0;
     for (int i = 0; i < 3 * CELLS; i++) {
         study_pair_plan plan = cell_plan(i / 3);
         if (i % 3 < 2)

@@ -7,10 +7,11 @@
 #include "pair/kernels/packed/packed_flat.h"
 #include "study/sat/kernels.h"
 
-/* dim, moves, shapes and asked are constant. */
-FMB_INLINE fmb_pair_bits packed_ask(int dim, bool moves, int shapes, fmb_asked asked,
+/* dim, moves, shapes and asked are constant; there are no records of floats. */
+FMB_INLINE fmb_pair_bits packed_ask(int dim, bool moves, int shapes, bool single, fmb_asked asked,
                                     const fmb_flat_kind *kind, const double *block)
 {
+    (void)single;
     const sat_kind k = {dim, moves, shapes == FMB_PACKED_SIMPLICES, shapes != FMB_PACKED_CUBOIDS};
     if (shapes == FMB_PACKED_ANY)
         return packed_ask_any(kind, block);

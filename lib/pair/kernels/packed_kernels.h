@@ -2,6 +2,9 @@
  *
  * A record is 8 (in the plane) or 16 (in space) numbers: origin, D axes, speed. Records of the
  * frames of a block are transposed into its rows, and a kernel of pair_kernels.h answers it.
+ *
+ * Records of floats are as long. Three rows follow in their blocks: bounds of the numbers whose
+ * differences are the shift and the drift, and what rounding to floats is off by, times sizes.
  */
 #ifndef FMB_PAIR_KERNELS_PACKED_KERNELS_H
 #define FMB_PAIR_KERNELS_PACKED_KERNELS_H
@@ -49,9 +52,15 @@ typedef enum fmb_packed_shapes {
  * that they are apart, and never that they meet; or all rows (or axes). */
 typedef enum fmb_asked { FMB_ASK_FACES, FMB_ASK_ALL } fmb_asked;
 
+/* What rounding to a float is off by, times the size, and a hundredth for what is of second order.
+ */
+#define FMB_SINGLE_ERROR (1.01 * 0x1p-24)
+
 /* n > 0 pairs of one kind: record index[2 i] of each side. */
 typedef struct fmb_packed_pairs {
     const double *record[2];
+    const float *single[2]; /* the same rounded to floats, for kernels that say so */
+    double given[3];        /* bounds of shift and drift; FMB_SINGLE_ERROR, or 0: nothing rounded */
     const uint32_t *index[2];
     size_t n;
     bool moves;
@@ -89,6 +98,8 @@ typedef struct fmb_packed {
                     fmb_distance_lanes *distances);
     /* Are all verdicts known? */
     bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out); /* [D - 2] */
+    /* The same in space by floats, of frames with all axes; may be NULL. */
+    bool (*single)(const fmb_packed_pairs *x, fmb_verdict *out);
     /* The rows of a block of as many pairs as there are lanes, which stand still and have all axes.
      */
     void (*load)(int dim, const fmb_frame *a, const fmb_frame *b, double *block);

@@ -15,9 +15,14 @@ typedef struct pairs_query {
     size_t n;
 } pairs_query;
 
-/* Decide the pairs whose verdicts are UNKNOWN among n. */
-static fmb_status decide_open_pairs(fmb_pair *k, const pairs_query *x, size_t n,
-                                    const fmb_frames_pair *pair, fmb_verdict *out)
+/* A way to decide n pairs of these kinds. */
+typedef fmb_status decide_pairs(fmb_pair *k, const pairs_query *x, const fmb_packed_plan *plan,
+                                size_t n, const fmb_frames_pair *pair, fmb_verdict *out);
+
+/* Decide by `decide` the pairs whose verdicts are UNKNOWN among n. */
+static fmb_status decide_open_pairs(fmb_pair *k, const pairs_query *x, const fmb_packed_plan *plan,
+                                    decide_pairs *decide, size_t n, const fmb_frames_pair *pair,
+                                    fmb_verdict *out)
 {
     fmb_frames_pair open[FMB_PACKED_AT_ONCE];
     fmb_verdict is[FMB_PACKED_AT_ONCE];
@@ -30,12 +35,70 @@ static fmb_status decide_open_pairs(fmb_pair *k, const pairs_query *x, size_t n,
         }
         if (found < FMB_PACKED_AT_ONCE && i < n)
             continue;
-        st = fmb_packed_decide(k, x->a, x->b, found, open, is);
+        st = found > 0 ? decide(k, x, plan, found, open, is) : FMB_OK;
         for (size_t j = 0; st == FMB_OK && j < found; j++)
             out[place[j]] = is[j];
         found = 0;
     }
     return st;
+}
+
+static fmb_status decide_exactly(fmb_pair *k, const pairs_query *x, const fmb_packed_plan *plan,
+                                 size_t n, const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    (void)plan;
+    return fmb_packed_decide(k, x->a, x->b, n, pair, out);
+}
+
+/* What kernels are told. */
+static fmb_packed_pairs pack_pairs(const fmb_pair *k, const pairs_query *x,
+                                   const fmb_packed_plan *plan, size_t n,
+                                   const fmb_frames_pair *pair)
+{
+    const fmb_frames *set[2] = {x->a, x->b};
+    const uint32_t *index[2] = {&pair->a, &pair->b};
+    fmb_packed_pairs packed = {.n = n,
+                               .given = {x->a->far + x->b->far, x->a->fast + x->b->fast,
+                                         x->a->rounded || x->b->rounded ? FMB_SINGLE_ERROR : 0},
+                               .moves = plan->moves,
+                               .closed = k->options.contact == FMB_CONTACT_CLOSED,
+                               .shapes = plan->shapes,
+                               .kind = &plan->flat};
+    for (int side = 0; side < 2; side++) {
+        packed.record[side] = set[side ^ plan->swapped]->record;
+        packed.single[side] = set[side ^ plan->swapped]->single;
+        packed.index[side] = index[side ^ plan->swapped];
+    }
+    return packed;
+}
+
+static fmb_status decide_in_doubles(fmb_pair *k, const pairs_query *x, const fmb_packed_plan *plan,
+                                    size_t n, const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    const fmb_packed_pairs packed = pack_pairs(k, x, plan, n, pair);
+    bool known = k->dim > 3 ? k->wide->minors->pairs(k->dim, plan->what, &packed, k->room, out)
+                            : k->wide->packed->pairs[k->dim - 2](&packed, out);
+    return known ? FMB_OK : decide_open_pairs(k, x, plan, decide_exactly, n, pair, out);
+}
+
+/* Pairs that are decided in floats before the others of a portion: if they leave more than half of
+ * them open, reading doubles, too, takes longer than reading doubles alone. */
+enum { FIRST = 64 };
+
+static fmb_status decide_in_floats(fmb_pair *k, const pairs_query *x, const fmb_packed_plan *plan,
+                                   size_t n, const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    const size_t first = n < FIRST ? n : FIRST;
+    fmb_packed_pairs packed = pack_pairs(k, x, plan, first, pair);
+    bool known = k->wide->packed->single(&packed, out);
+    size_t open = 0;
+    for (size_t i = 0; !known && i < first; i++)
+        open += out[i] == FMB_UNKNOWN;
+    if (2 * open > first)
+        return decide_in_doubles(k, x, plan, n, pair, out);
+    packed = pack_pairs(k, x, plan, n - first, pair + first);
+    known &= first == n || k->wide->packed->single(&packed, out + first);
+    return known ? FMB_OK : decide_open_pairs(k, x, plan, decide_in_doubles, n, pair, out);
 }
 
 /* n > 0 pairs of these kinds. */
@@ -45,20 +108,10 @@ static fmb_status decide_pairs_of_kinds(fmb_pair *k, const pairs_query *x, int k
     fmb_packed_plan plan;
     if (!fmb_packed_plan_of(k, kind_a, kind_b, &plan))
         return fmb_packed_decide(k, x->a, x->b, n, pair, out);
-    const fmb_frames *set[2] = {x->a, x->b};
-    const uint32_t *index[2] = {&pair->a, &pair->b};
-    fmb_packed_pairs packed = {.n = n,
-                               .moves = plan.moves,
-                               .closed = k->options.contact == FMB_CONTACT_CLOSED,
-                               .shapes = plan.shapes,
-                               .kind = &plan.flat};
-    for (int side = 0; side < 2; side++) {
-        packed.record[side] = set[side ^ plan.swapped]->record;
-        packed.index[side] = index[side ^ plan.swapped];
-    }
-    bool known = k->dim > 3 ? k->wide->minors->pairs(k->dim, plan.what, &packed, k->room, out)
-                            : k->wide->packed->pairs[k->dim - 2](&packed, out);
-    return known ? FMB_OK : decide_open_pairs(k, x, n, pair, out);
+    /* rows of two simplices that move take longer than reading their records */
+    const bool floats = k->dim == 3 && plan.shapes != FMB_PACKED_ANY && k->wide->packed->single &&
+                        !(plan.shapes == FMB_PACKED_SIMPLICES && plan.moves);
+    return (floats ? decide_in_floats : decide_in_doubles)(k, x, &plan, n, pair, out);
 }
 
 /* Pairs of many kinds: first those of one kind are brought together (counting sort). */

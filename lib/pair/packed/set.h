@@ -4,8 +4,8 @@
  *
  *     origin  D      axes  D D, row i is edge i, missing ones 0      speed  D, of a still frame 0
  *
- * In four to eight dimensions frames by edges with all their axes have longer records
- * (pair/kernels/minors_kernels.h).
+ * In space it stands there as floats, too (single.h). In four to eight dimensions frames by edges
+ * with all their axes have longer records (pair/kernels/minors_kernels.h).
  *
  * A kind describes the contents of a record. Frames that no record can hold (other frames and
  * dimensions; corners whose differences are no doubles) have kind NONE. These, and every frame by
@@ -13,6 +13,8 @@
  */
 #ifndef FMB_PAIR_SET_H
 #define FMB_PAIR_SET_H
+
+#include <stdbool.h>
 
 #include <fmb/frames.h>
 
@@ -30,6 +32,9 @@ struct fmb_frames {
     size_t n;
     size_t stride;               /* numbers of a record; 0: there are none */
     double *record;              /* [n][stride], aligned, within room */
+    float *single;               /* [n][stride], the same as floats, in space */
+    bool rounded;                /* are there other numbers than floats? */
+    double far, fast;            /* the largest number of an origin, of a speed, in `single` */
     uint8_t *kind;               /* [n] */
     int only;                    /* the kind of all, or -1 */
     uint32_t *order;             /* [n] frames by kind, then number */

@@ -10,6 +10,7 @@
 #include "pair/kernels/inverse.h"
 #include "pair/kernels/minors_kernels.h"
 #include "pair/packed/bounds.h"
+#include "pair/packed/single.h"
 
 enum { LINE = FMB_RECORD_LINE };
 
@@ -29,12 +30,14 @@ static fmb_status make_room_for_records(fmb_frames *s)
                                             : 0;
     s->kind = fmb_mem_get(&s->mem, s->n, sizeof *s->kind);
     s->order = s->kind ? fmb_mem_get(&s->mem, s->n, sizeof *s->order) : NULL;
+    const size_t numbers = s->n * s->stride;
     if (s->stride > 0 && s->order) {
-        s->room_size = s->n * s->stride + 2 * LINE;
+        s->room_size = numbers + (s->dim == 3 ? numbers / 2 : 0) + 2 * LINE;
         s->room = fmb_mem_get(&s->mem, s->room_size, sizeof *s->room);
     }
     bool good = s->order && (s->stride == 0 || s->room);
     s->record = s->room ? align_to_lines(s->room) : NULL;
+    s->single = s->room && s->dim == 3 ? (float *)(s->record + numbers) : NULL;
     return good ? FMB_OK : fmb_mem_status(&s->mem);
 }
 
@@ -129,6 +132,8 @@ static int add_record(fmb_frames *s, size_t i, const fmb_frame *e)
     int moves = e->speed ? FMB_KIND_MOVES : 0;
     if (s->dim <= 3) {
         write_record(e, to);
+        if (s->single)
+            fmb_single_add(s, i);
         return 2 * e->naxes + (int)e->shape + moves;
     }
     if (e->naxes != s->dim)

@@ -28,9 +28,12 @@ static void claim(const std::string &what, double needed, double claimed)
     worst = std::max(worst, part);
 }
 
+static bool single; // numbers of frames were rounded to floats
+
 static std::string flavour(const char *what, int dim, bool moves)
 {
-    return std::string(what) + ", " + std::to_string(dim) + (moves ? "D moving: " : "D: ");
+    return std::string(what) + ", " + std::to_string(dim) + (moves ? "D moving" : "D") +
+           (single ? ", floats: " : ": ");
 }
 
 static bool report()
@@ -63,17 +66,29 @@ static double some_size()
 static const double *rows;                  // of a block
 static double alpha[3], beta, delta, omega; // alpha: of each axis
 static int dimension;
+static bool moving;
+
+/* A number of that size that was given, or a rounded difference of two. */
+static lane given_number(double size, bool differs)
+{
+    const double off = single ? 0x1p-24 / UNIT : 0;
+    return {size, (off + differs) * size};
+}
 
 static lane lane_load(const double *a)
 {
     if (!rows)
         return {*a, 0};
-    int row = (int)(a - rows), d = dimension;
+    const int row = (int)(a - rows), d = dimension, last = d + 2 * d * d + (moving ? d : 0);
+    if (single && row >= last) {
+        const double bound[3] = {delta, omega, FMB_SINGLE_ERROR};
+        return {bound[row - last], 0};
+    }
     if (row < d)
-        return {delta, delta};
+        return given_number(delta, true);
     if (row < d + d * d)
-        return {alpha[(row - d) / d], 0};
-    return row < d + 2 * d * d ? lane{beta, 0} : lane{omega, omega};
+        return given_number(alpha[(row - d) / d], false);
+    return row < d + 2 * d * d ? given_number(beta, false) : given_number(omega, true);
 }
 
 /* ---- verdicts: the local frame --------------------------------------------------------------- */
@@ -86,10 +101,16 @@ static void lane_store(double *a, lane x)
     stored[a - answer] = x;
 }
 
-static void claim_number(const char *what, lane x, lane bound)
+/* Of what is given to a float a two hundredth is left for what gaps are off by in second order. */
+static double error_of_local_frame(lane given)
+{
+    return (LOCAL_FRAME_ERROR + (single ? 0.995 * given.v : 0)) / UNIT;
+}
+
+static void claim_number(const char *what, const local_frame *f, lane x, lane bound)
 {
     claim(std::string(what) + " is at most", size_of(x), bound.v * (1 + 1e-12));
-    claim(std::string(what) + " is off by", x.e, LOCAL_FRAME_ERROR / UNIT * bound.v);
+    claim(std::string(what) + " is off by", x.e, error_of_local_frame(f->given) * bound.v);
 }
 
 static void count_local_frame(int dim, bool moves)
@@ -98,29 +119,35 @@ static void count_local_frame(int dim, bool moves)
     local_frame f;
     rows = block;
     dimension = dim;
+    moving = moves;
     kernel = flavour("local frame", dim, moves);
-    local_frame_make(dim, moves, true, block, &f);
-    claim_number("size", f.size, f.most_size);
+    local_frame_make(dim, moves, true, single, block, &f);
+    claim_number("size", &f, f.size, f.most_size);
     for (int i = 0; i < dim; i++) {
-        claim_number("shift", f.shift[i], f.most_shift);
-        claim_number("edge", f.e[i % dim][i], f.most_e);
+        claim_number("shift", &f, f.shift[i], f.most_shift);
+        claim_number("edge", &f, f.e[i % dim][i], f.most_e);
         if (moves)
-            claim_number("drift", f.drift[i], f.most_drift);
+            claim_number("drift", &f, f.drift[i], f.most_drift);
     }
 }
 
 /* What the kernels below take for the numbers of a block: bounds, and errors as claimed above. */
-static void make_bounds(int, bool, bool, const double *, local_frame *f)
+static void make_bounds(int dim, bool, bool, bool, const double *, local_frame *f)
 {
-    const double count = LOCAL_FRAME_ERROR / UNIT;
+    f->single = single;
+    f->given = {dim * FMB_SINGLE_ERROR, 0};
+    const double count = error_of_local_frame(f->given);
     double bound[4];
     for (double &b : bound)
         b = some_size();
     lane *const is[4] = {&f->most_size, &f->most_e, &f->most_shift, &f->most_drift};
+    lane *const found[4] = {&f->found_size, &f->found_e, &f->found_shift, &f->found_drift};
     lane x[4];
     for (int i = 0; i < 4; i++) {
         *is[i] = {bound[i], 0};
-        x[i] = {bound[i], count * bound[i]};
+        const double size = single ? std::ldexp(bound[i], -(int)(uniform() * 8)) : bound[i];
+        x[i] = {size, count * bound[i]};
+        *found[i] = {size, 0};
     }
     f->size = f->volume = x[0];
     for (int i = 0; i < 3; i++) {
@@ -134,19 +161,36 @@ static void make_bounds(int, bool, bool, const double *, local_frame *f)
 
 /* A gap, and what was made of the sign of a determinant: if that sign is wrong, the determinant is
  * less than its error, which comes on top. */
-static void count_class(fmb_gaps *, lane gap, double count, lane bound)
+static std::string text_of_error(const char *what, double count, double times)
 {
-    claim("gap to " + std::to_string((int)count) + " u", gap.e + counted_sign, count * bound.v);
+    const std::string rounding = what + (" to " + std::to_string((int)count)) + " u";
+    return single ? rounding + " and " + std::to_string((int)times) + " given" : rounding;
+}
+
+static void count_class(fmb_gaps *x, lane gap, double count, double times, fmb_bound bound)
+{
+    claim(text_of_error("gap", count, times), gap.e + counted_sign,
+          fmb_gaps_error(x, count, times, bound).v / UNIT);
     counted_sign = 0;
 }
 
-static void count_certain(fmb_gaps *, lane size, double count, lane bound)
+static fmb_gaps count_first(const local_frame *f, lane gap, double count, double times,
+                            fmb_bound bound)
 {
-    claim("det B to " + std::to_string((int)count) + " u", size.e, count * bound.v);
+    fmb_gaps x = {{0, 0}, {0, 0}, f->single, f->given};
+    count_class(&x, gap, count, times, bound);
+    return x;
+}
+
+static void count_certain(fmb_gaps *x, lane size, double count, double times, fmb_bound bound)
+{
+    claim(text_of_error("det B", count, times), size.e,
+          fmb_gaps_error(x, count, times, bound).v / UNIT);
 }
 
 #define local_frame_make make_bounds
 #define fmb_gaps_class   count_class
+#define fmb_gaps_first   count_first
 #define fmb_gaps_certain count_certain
 #include "pair/kernels/verdict/verdict_kernel.h"
 #undef local_frame_make
@@ -662,6 +706,21 @@ static void count_contact_world()
     claim("rounding of a parameter", (quotient.hi - of.margin).e, 16);
 }
 
+/* Verdicts on frames with all their axes. */
+static void count_frames(int dim, bool moves)
+{
+    counted_sign = 0;
+    count_local_frame(dim, moves);
+    counted_sign = 0;
+    kernel = flavour("cuboids", dim, moves);
+    dim == 2 ? fmb_cuboids_2d(nullptr, moves) : fmb_cuboids_3d(nullptr, moves, single, FMB_ASK_ALL);
+    for (int simplex = 0; simplex < 2; simplex++) {
+        kernel = flavour(simplex ? "two simplices" : "cuboid, simplex", dim, moves);
+        dim == 2 ? fmb_simplices_2d(nullptr, moves, simplex)
+                 : fmb_simplices_3d(nullptr, moves, simplex, single, FMB_ASK_ALL);
+    }
+}
+
 int main()
 {
     counted_majorant = true;
@@ -674,17 +733,11 @@ int main()
         omega = some_size();
         for (int dim = 2; dim <= 3; dim++)
             for (int moves = 0; moves < 2; moves++) {
-                counted_sign = 0;
-                count_local_frame(dim, moves);
-                counted_sign = 0;
-                kernel = flavour("cuboids", dim, moves);
-                dim == 2 ? fmb_cuboids_2d(nullptr, moves)
-                         : fmb_cuboids_3d(nullptr, moves, FMB_ASK_ALL);
-                for (int simplex = 0; simplex < 2; simplex++) {
-                    kernel = flavour(simplex ? "two simplices" : "cuboid, simplex", dim, moves);
-                    dim == 2 ? fmb_simplices_2d(nullptr, moves, simplex)
-                             : fmb_simplices_3d(nullptr, moves, simplex, FMB_ASK_ALL);
-                }
+                count_frames(dim, moves);
+                single = dim == 3;
+                if (single)
+                    count_frames(dim, moves);
+                single = false;
                 count_flat(dim, moves, i);
                 count_depth(dim);
                 count_axes(dim, moves, false, false);

@@ -153,7 +153,7 @@ FMB_INLINE void fmb_contact_pass(int dim, bool cuboids, const fmb_flat_kind *k, 
             overlap = lane_pick(noise, lane_of(8) * size * p.reach, overlap);
             square = lane_pick(noise, size * size, square);
         }
-        fmb_gaps_class(&gaps, -overlap, error, size * p.reach);
+        fmb_gaps_class(&gaps, -overlap, error, 0, fmb_bound_rounded(size * p.reach));
         rows.overlap[i] = overlap;
         rows.square[i] = square;
         rows.size[i] = size;
@@ -165,8 +165,9 @@ FMB_INLINE void fmb_contact_pass(int dim, bool cuboids, const fmb_flat_kind *k, 
     lane_mask found = lane_less(least.overlap, lane_of(0x1p499));
     out->bits.meet = k->may_meet ? out->bits.meet & lane_bits(found) : 0;
     lane length = contact_root(least.square);
-    lane above = (least.overlap + fmb_gaps_error(error, least.size * p.reach)) /
-                 (length - lane_of(off * 0x1p-53) * least.size);
+    lane above =
+        (least.overlap + fmb_gaps_error(&gaps, error, 0, fmb_bound_rounded(least.size * p.reach))) /
+        (length - lane_of(off * 0x1p-53) * least.size);
     above = lane_max(above * lane_of(1 + 0x1p-50), lane_of(0));
     lane most = lane_max(lane_fnma(lane_of(0x1p-40), p.reach, above), lane_of(0));
     lane_mask wide = lane_and(known, lane_less(lane_of(0x1p-90), p.reach));

@@ -34,6 +34,11 @@ typedef struct local_frame {
     lane volume;                            /* det A, or size: local_frame_make */
     lane alpha, beta, delta, omega;
     lane most_size, most_e, most_shift, most_drift; /* the bounds above */
+    /* if numbers of frames were rounded to floats: numbers above are off by that times their
+     * bounds, and as computed they are no larger than these, which are 2^-8 of their bounds at
+     * least */
+    bool single; /* constant */
+    lane given, found_size, found_e, found_shift, found_drift;
     lane_mask known;
 } local_frame;
 
@@ -104,21 +109,57 @@ FMB_INLINE lane local_frame_measure_axes(int dim, const double *axes, local_fram
     return f->alpha * lane_max(least, second);
 }
 
+/* Set delta and omega, and with numbers rounded to floats `given`: dim factors at most are off. */
+FMB_INLINE void local_frame_measure_differences(int dim, bool moves, bool single,
+                                                const double *block, local_frame *f)
+{
+    const double *drift = block + dim * (1 + 2 * dim) * FMB_LANES;
+    const double *more = drift + moves * dim * FMB_LANES;
+    f->delta = single ? lane_load(more) : local_frame_largest(block, dim);
+    f->omega = lane_of(0);
+    if (moves)
+        f->omega = single ? lane_load(more + FMB_LANES) : local_frame_largest(drift, dim);
+    if (single)
+        f->given = lane_of(dim) * lane_load(more + 2 * FMB_LANES);
+}
+
+/* The largest absolute value of some numbers, or 2^-8 of their bound. */
+FMB_INLINE lane local_frame_found(int n, const lane *x, lane most)
+{
+    most = lane_of(0x1p-8) * most;
+    for (int i = 0; i < n; i++)
+        most = lane_max_abs(most, x[i]);
+    return most;
+}
+
+FMB_INLINE void local_frame_find_sizes(int dim, bool moves, local_frame *f)
+{
+    f->found_size = local_frame_found(1, &f->size, f->most_size);
+    f->found_shift = local_frame_found(dim, f->shift, f->most_shift);
+    f->found_e = lane_of(0x1p-8) * f->most_e;
+    for (int k = 0; k < dim; k++)
+        for (int i = 0; i < dim; i++)
+            f->found_e = lane_max_abs(f->found_e, f->e[k][i]);
+    f->found_drift = lane_of(0);
+    if (moves)
+        f->found_drift = local_frame_found(dim, f->drift, f->most_drift);
+}
+
 /* The bounds, and which lanes are known. The largest absolute value may miss a NaN, and an infinity
  * only together with a NaN. But det A contains all numbers of A, and the coordinates 0 of shift,
  * edges and drift contain all other numbers; so a NaN makes size or the sum of those coordinates a
  * NaN, and no comparison with a NaN is true.
  */
-FMB_INLINE void local_frame_measure(int dim, bool moves, const double *block, local_frame *f)
+FMB_INLINE void local_frame_measure(int dim, bool moves, bool single, const double *block,
+                                    local_frame *f)
 {
     const double *axes = block + dim * FMB_LANES;
     const lane low = lane_of(0x1p-50), high = lane_of(0x1p50);
     lane gamma = local_frame_measure_axes(dim, axes, f);
     f->beta = local_frame_largest(axes + dim * dim * FMB_LANES, dim * dim);
-    f->delta = local_frame_largest(block, dim);
-    f->omega = lane_of(0);
+    local_frame_measure_differences(dim, moves, single, block, f);
     if (moves) /* or else errors of rows along a slow drift underflow, and so do their bounds */
-        f->omega = lane_max(local_frame_largest(axes + 2 * dim * dim * FMB_LANES, dim), low);
+        f->omega = lane_max(f->omega, low);
     lane scale = lane_of(dim == 2 ? 2 : 6) * gamma;
     f->most_size = scale * f->alpha;
     f->most_e = scale * f->beta;
@@ -128,7 +169,12 @@ FMB_INLINE void local_frame_measure(int dim, bool moves, const double *block, lo
     f->known = lane_and(lane_less(low, lane_min(f->alpha, f->beta)), lane_less(most, high));
     f->known = lane_and(f->known, lane_less(low * low, gamma));
     /* the sign of det A must be certain */
-    f->known = lane_and(f->known, lane_less(lane_of(LOCAL_FRAME_ERROR) * f->most_size, f->size));
+    lane error = lane_of(LOCAL_FRAME_ERROR);
+    if (single) {
+        error = error + f->given;
+        local_frame_find_sizes(dim, moves, f);
+    }
+    f->known = lane_and(f->known, lane_less(error * f->most_size, f->size));
     lane sum = f->shift[0];
     for (int k = 0; k < dim; k++)
         sum = sum + f->e[k][0];
@@ -151,11 +197,14 @@ FMB_INLINE void local_frame_look(int dim, bool turned, lane a[3][3], lane n[3][3
         out[i] = local_frame_dot(dim, n[i], x);
 }
 
-/* In place, as a returned structure of this size may be copied. turned: y has the sign of det A,
- * and volume is size. Otherwise volume is det A, and A is 0 <= y_i / volume (<= 1). */
-FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, const double *block,
+/* In place, as a returned structure of this size may be copied. single: constant, the numbers of
+ * frames were rounded to floats, and three rows follow in the block (packed_kernels.h). turned: y
+ * has the sign of det A, and volume is size. Otherwise volume is det A, and A is 0 <= y_i / volume
+ * (<= 1). */
+FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, bool single, const double *block,
                                  local_frame *f)
 {
+    f->single = single;
     lane a[3][3], n[3][3], x[3];
     const double *row = block + dim * FMB_LANES;
     for (int k = 0; k < dim; k++, row += dim * FMB_LANES)
@@ -179,7 +228,7 @@ FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, const double 
         local_frame_load(x, row, dim);
         local_frame_look(dim, turned, a, n, x, f->drift);
     }
-    local_frame_measure(dim, moves, block, f);
+    local_frame_measure(dim, moves, single, block, f);
 }
 
 #endif

@@ -44,6 +44,44 @@ FMB_INLINE void transpose_four(const double *const *from, int r, lane out[4])
 #endif
 }
 
+/* The same of records of floats. */
+FMB_INLINE void transpose_four_single(const float *const *from, int r, lane out[4])
+{
+#if FMB_LANES >= 4
+    __m128 x[FMB_LANES];
+#pragma GCC unroll 8
+    for (int k = 0; k < FMB_LANES; k++)
+        x[k] = _mm_loadu_ps(from[k] + r);
+#endif
+#if FMB_LANES == 8
+    __m256 row[4];
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; k++)
+        row[k] = _mm256_insertf128_ps(_mm256_castps128_ps256(x[k]), x[k + 4], 1);
+    __m256 low[2] = {_mm256_unpacklo_ps(row[0], row[1]), _mm256_unpacklo_ps(row[2], row[3])};
+    __m256 high[2] = {_mm256_unpackhi_ps(row[0], row[1]), _mm256_unpackhi_ps(row[2], row[3])};
+    out[0] = _mm512_cvtps_pd(_mm256_shuffle_ps(low[0], low[1], 0x44));
+    out[1] = _mm512_cvtps_pd(_mm256_shuffle_ps(low[0], low[1], 0xee));
+    out[2] = _mm512_cvtps_pd(_mm256_shuffle_ps(high[0], high[1], 0x44));
+    out[3] = _mm512_cvtps_pd(_mm256_shuffle_ps(high[0], high[1], 0xee));
+#elif FMB_LANES == 4
+    _MM_TRANSPOSE4_PS(x[0], x[1], x[2], x[3]);
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; k++)
+        out[k] = _mm256_cvtps_pd(x[k]);
+#elif FMB_LANES == 2
+    __m128 x = _mm_loadu_ps(from[0] + r), y = _mm_loadu_ps(from[1] + r);
+    __m128 low = _mm_unpacklo_ps(x, y), high = _mm_unpackhi_ps(x, y);
+    out[0] = _mm_cvtps_pd(low);
+    out[1] = _mm_cvtps_pd(_mm_movehl_ps(low, low));
+    out[2] = _mm_cvtps_pd(high);
+    out[3] = _mm_cvtps_pd(_mm_movehl_ps(high, high));
+#else
+    for (int k = 0; k < 4; k++)
+        out[k] = from[0][r + k];
+#endif
+}
+
 /* The first n numbers of FMB_LANES records, n constant, and 9 at most. */
 FMB_INLINE void transpose_some(const double *const *from, int n, lane *out)
 {

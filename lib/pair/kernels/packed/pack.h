@@ -5,7 +5,8 @@
  * cost of a block is mainly that of the shuffles, not of the loads.
  *
  * A file that includes this defines packed_ask before, which decides a block (packed_verdict.h),
- * and the name of the table, FMB_PACKED_TABLE. It is inlined into the loops: in a row, numbers of
+ * and the name of the table, FMB_PACKED_TABLE; if it decides blocks of floats, too, then also
+ * FMB_PACKED_SINGLE, the name of a function. It is inlined into the loops: in a row, numbers of
  * the one frame alone, such as its adjugate, are then computed once.
  */
 #ifndef FMB_PAIR_PACK_H
@@ -18,13 +19,24 @@
 #include "pair/kernels/lane/transpose.h"
 #include "pair/kernels/packed_kernels.h"
 
-/* All numbers of the records; the speed only if it counts. */
+/* Rows that are transposed of records: all numbers, but the speed only if it counts. */
+FMB_INLINE int count_packed_rows(int dim, bool moves)
+{
+    return dim == 2 ? 8 : moves ? 16 : 12;
+}
+
 FMB_INLINE void pack_records(int dim, bool moves, const double *const *from, lane *out)
 {
-    const int rows = dim == 2 ? 8 : moves ? 16 : 12;
 #pragma GCC unroll 4
-    for (int r = 0; r < rows; r += 4)
+    for (int r = 0; r < count_packed_rows(dim, moves); r += 4)
         transpose_four(from, r, out + r);
+}
+
+FMB_INLINE void pack_singles(int dim, bool moves, const float *const *from, lane *out)
+{
+#pragma GCC unroll 4
+    for (int r = 0; r < count_packed_rows(dim, moves); r += 4)
+        transpose_four_single(from, r, out + r);
 }
 
 /* A block of the lanes of A and of B. */
@@ -45,6 +57,14 @@ FMB_INLINE void pack_block(int dim, bool moves, const lane *a, const lane *b, do
 #pragma GCC unroll 3
     for (int j = dim * (dim + 1); j < dim * (dim + 2); j++, to += FMB_LANES)
         lane_store(to, b[j] - a[j]);
+}
+
+/* The rows that follow in a block of numbers that were rounded to floats. */
+FMB_INLINE void pack_rounding(int dim, bool moves, const double given[3], double *block)
+{
+    double *to = block + dim * (1 + 2 * dim + moves) * FMB_LANES;
+    for (int r = 0; r < 3; r++, to += FMB_LANES)
+        lane_store(to, lane_of(given[r]));
 }
 
 /* ---- pairs by index -------------------------------------------------------------------------- */
@@ -73,42 +93,69 @@ FMB_INLINE size_t count_record(int dim)
 /* Blocks whose records are being prefetched; a power of two. */
 enum { PACKED_AHEAD = 4 };
 
-/* The records of one side of these blocks. */
-typedef const double *packed_places[PACKED_AHEAD][FMB_LANES];
+/* The numbers before the records of one side of these blocks. */
+typedef size_t packed_places[PACKED_AHEAD][FMB_LANES];
 
-/* Find and prefetch records of one side of the block of pairs at `i`, of n pairs. */
-FMB_INLINE void find_records(int dim, const double *record, const uint32_t *index, size_t i,
-                             size_t n, packed_places out)
+/* Find and prefetch records of one side of the block of pairs at `i`. single: constant, they are of
+ * floats. */
+FMB_INLINE void find_records(int dim, bool single, const fmb_packed_pairs *x, int side, size_t i,
+                             packed_places out)
 {
-    const double **at = out[i / FMB_LANES % PACKED_AHEAD];
-    if (i + FMB_LANES > n) {
+    const size_t size = count_record(dim);
+    const uint32_t *index = x->index[side];
+    size_t *at = out[i / FMB_LANES % PACKED_AHEAD];
+    if (i + FMB_LANES > x->n) {
         for (size_t l = 0; l < FMB_LANES; l++)
-            at[l] = record + count_record(dim) * index[2 * (i + l < n ? i + l : n - 1)];
+            at[l] = size * index[2 * (i + l < x->n ? i + l : x->n - 1)];
         return;
     }
 #pragma GCC unroll 8
     for (size_t l = 0; l < FMB_LANES; l++) {
-        at[l] = record + count_record(dim) * index[2 * (i + l)];
-        __builtin_prefetch(at[l]);
+        at[l] = size * index[2 * (i + l)];
+        if (single) {
+            __builtin_prefetch(x->single[side] + at[l]);
+            continue;
+        }
+        __builtin_prefetch(x->record[side] + at[l]);
         if (dim == 3)
-            __builtin_prefetch(at[l] + 8);
+            __builtin_prefetch(x->record[side] + at[l] + 8);
     }
 }
 
-/* The block of pairs at i, whose records are found. */
-FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, int shapes, const fmb_packed_pairs *x,
-                                      size_t i, packed_places at[2], double *block)
+/* The records of one side at these places, as lanes. */
+FMB_INLINE void pack_found(int dim, bool moves, bool single, const fmb_packed_pairs *x, int side,
+                           const size_t *at, lane *out)
 {
+    const double *record[FMB_LANES];
+    const float *floats[FMB_LANES];
+    for (int l = 0; l < FMB_LANES; l++) {
+        record[l] = x->record[side] + at[l];
+        floats[l] = single ? x->single[side] + at[l] : NULL;
+    }
+    if (single)
+        pack_singles(dim, moves, floats, out);
+    else
+        pack_records(dim, moves, record, out);
+}
+
+/* The block of pairs at i, whose records are found. */
+FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, int shapes, bool single,
+                                      const fmb_packed_pairs *x, size_t i, packed_places at[2],
+                                      double *block)
+{
+    const size_t slot = i / FMB_LANES % PACKED_AHEAD;
     lane a[16], b[16];
-    pack_records(dim, moves, at[0][i / FMB_LANES % PACKED_AHEAD], a);
-    pack_records(dim, moves, at[1][i / FMB_LANES % PACKED_AHEAD], b);
+    pack_found(dim, moves, single, x, 0, at[0][slot], a);
+    pack_found(dim, moves, single, x, 1, at[1][slot], b);
     pack_block(dim, moves, a, b, block);
-    return packed_ask(dim, moves, shapes, FMB_ASK_ALL, x->kind, block);
+    if (single)
+        pack_rounding(dim, moves, x->given, block);
+    return packed_ask(dim, moves, shapes, single, FMB_ASK_ALL, x->kind, block);
 }
 
 /* Decide the pairs of x in full blocks; the last block is filled up by repeating the last pair. */
-FMB_INLINE bool packed_pairs(int dim, bool moves, int shapes, const fmb_packed_pairs *x,
-                             fmb_verdict *out)
+FMB_INLINE bool packed_pairs(int dim, bool moves, int shapes, bool single,
+                             const fmb_packed_pairs *x, fmb_verdict *out)
 {
     _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
     const size_t ahead = PACKED_AHEAD * FMB_LANES - FMB_LANES;
@@ -117,10 +164,10 @@ FMB_INLINE bool packed_pairs(int dim, bool moves, int shapes, const fmb_packed_p
     unsigned all = (1U << FMB_LANES) - 1, known = all;
     for (size_t i = 0; i < x->n + ahead; i += FMB_LANES) {
         for (int side = 0; i < x->n && side < 2; side++)
-            find_records(dim, x->record[side], x->index[side], i, x->n, at[side]);
+            find_records(dim, single, x, side, i, at[side]);
         if (i < ahead)
             continue;
-        fmb_pair_bits bits = ask_pairs_at(dim, moves, shapes, x, i - ahead, at, block);
+        fmb_pair_bits bits = ask_pairs_at(dim, moves, shapes, single, x, i - ahead, at, block);
         known &= bits.apart | bits.meet;
         if (i - ahead < whole) {
             write_verdicts(bits, out + (i - ahead));
@@ -133,33 +180,43 @@ FMB_INLINE bool packed_pairs(int dim, bool moves, int shapes, const fmb_packed_p
     return known == all;
 }
 
-FMB_INLINE bool packed_pairs_of_shapes(int dim, bool moves, const fmb_packed_pairs *x,
+FMB_INLINE bool packed_pairs_of_shapes(int dim, bool moves, bool single, const fmb_packed_pairs *x,
                                        fmb_verdict *out)
 {
     switch (x->shapes) {
     case FMB_PACKED_CUBOIDS:
-        return packed_pairs(dim, moves, FMB_PACKED_CUBOIDS, x, out);
+        return packed_pairs(dim, moves, FMB_PACKED_CUBOIDS, single, x, out);
     case FMB_PACKED_ONE_OF_EACH:
-        return packed_pairs(dim, moves, FMB_PACKED_ONE_OF_EACH, x, out);
+        return packed_pairs(dim, moves, FMB_PACKED_ONE_OF_EACH, single, x, out);
     case FMB_PACKED_SIMPLICES:
-        return packed_pairs(dim, moves, FMB_PACKED_SIMPLICES, x, out);
+        return packed_pairs(dim, moves, FMB_PACKED_SIMPLICES, single, x, out);
     default:
-        return packed_pairs(dim, moves, FMB_PACKED_ANY, x, out);
+        return packed_pairs(dim, moves, FMB_PACKED_ANY, false, x, out);
     }
 }
 
 /* A function for each dimension: as one, kernels in the plane would take up to 1.17 of the time. */
 static bool packed_pairs_2d(const fmb_packed_pairs *x, fmb_verdict *out)
 {
-    return x->moves ? packed_pairs_of_shapes(2, true, x, out)
-                    : packed_pairs_of_shapes(2, false, x, out);
+    return x->moves ? packed_pairs_of_shapes(2, true, false, x, out)
+                    : packed_pairs_of_shapes(2, false, false, x, out);
 }
 
 static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
 {
-    return x->moves ? packed_pairs_of_shapes(3, true, x, out)
-                    : packed_pairs_of_shapes(3, false, x, out);
+    return x->moves ? packed_pairs_of_shapes(3, true, false, x, out)
+                    : packed_pairs_of_shapes(3, false, false, x, out);
 }
+
+#ifdef FMB_PACKED_SINGLE
+static bool FMB_PACKED_SINGLE(const fmb_packed_pairs *x, fmb_verdict *out)
+{
+    return x->moves ? packed_pairs_of_shapes(3, true, true, x, out)
+                    : packed_pairs_of_shapes(3, false, true, x, out);
+}
+#else
+#define FMB_PACKED_SINGLE NULL
+#endif
 
 /* ---- depths and distances of pairs by index -------------------------------------------------- */
 
@@ -173,11 +230,11 @@ FMB_INLINE void packed_lengths_of(int dim, const fmb_packed_pairs *x, fmb_contac
     for (size_t i = 0; i < x->n + ahead; i += FMB_LANES) {
         lane a[16], b[16];
         for (int side = 0; i < x->n && side < 2; side++)
-            find_records(dim, x->record[side], x->index[side], i, x->n, at[side]);
+            find_records(dim, false, x, side, i, at[side]);
         if (i < ahead)
             continue;
-        pack_records(dim, true, at[0][(i - ahead) / FMB_LANES % PACKED_AHEAD], a);
-        pack_records(dim, true, at[1][(i - ahead) / FMB_LANES % PACKED_AHEAD], b);
+        pack_found(dim, true, false, x, 0, at[0][(i - ahead) / FMB_LANES % PACKED_AHEAD], a);
+        pack_found(dim, true, false, x, 1, at[1][(i - ahead) / FMB_LANES % PACKED_AHEAD], b);
         pack_block(dim, true, a, b, block);
         if (contacts)
             contact_ask(x->kind, block, contacts++);
@@ -265,7 +322,7 @@ FMB_INLINE fmb_pair_bits ask_lanes_of_row(int dim, bool moves, int shapes, fmb_a
         pack_block(dim, moves, other, one, block);
     else
         pack_block(dim, moves, one, other, block);
-    return packed_ask(dim, moves, shapes, asked, x->kind, block);
+    return packed_ask(dim, moves, shapes, false, asked, x->kind, block);
 }
 
 /* Eight frames of a row of tiles. */
@@ -422,6 +479,7 @@ const fmb_packed FMB_PACKED_TABLE = {.flat = packed_ask_any,
                                      .lengths = packed_lengths,
                                      .distance = distance_ask,
                                      .pairs = {packed_pairs_2d, packed_pairs_3d},
+                                     .single = FMB_PACKED_SINGLE,
                                      .load = packed_load,
                                      .tiles = packed_tiles,
                                      .row = {packed_row_2d, packed_row_3d},

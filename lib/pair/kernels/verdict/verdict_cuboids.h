@@ -21,7 +21,8 @@
  */
 typedef struct fmb_cuboids {
     int dim, n; /* n: the number of g_k */
-    lane size, g[4][3], center[3], bound;
+    lane size, g[4][3], center[3];
+    fmb_bound bound;
     lane cross[6][3]; /* of g_a, g_b, a < b, at [b (b - 1) / 2 + a] */
 } fmb_cuboids;
 
@@ -43,8 +44,7 @@ FMB_INLINE void fmb_cuboids_make(fmb_kind kind, const local_frame *f, fmb_cuboid
             sum = sum + c->g[k][i];
         c->center[i] = lane_fma(lane_of(2), f->shift[i], sum - f->volume);
     }
-    c->bound = lane_fma(lane_of(2), f->most_shift, f->most_size);
-    c->bound = lane_fma(lane_of(dim), f->most_e, c->bound + f->most_drift);
+    c->bound = fmb_bound_of(f, 2, dim);
 }
 
 /* A's rows: the largest gap. */
@@ -116,45 +116,48 @@ FMB_INLINE lane fmb_cuboids_ridge(fmb_kind kind, const fmb_cuboids *c, int a)
 
 FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
 {
-    const fmb_kind kind = {2, moves, false};
+    const fmb_kind kind = {2, moves, false, false};
     local_frame f;
-    local_frame_make(2, moves, false, block, &f);
+    local_frame_make(2, moves, false, false, block, &f);
     fmb_cuboids c;
     fmb_cuboids_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(fmb_cuboids_faces(kind, &c), 26, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(&f, fmb_cuboids_faces(kind, &c), 26, 0, c.bound);
     lane most = lane_max(fmb_cuboids_turned(kind, &c, 0), fmb_cuboids_turned(kind, &c, 1));
-    fmb_gaps_class(&gaps, most, 92, f.most_e * c.bound);
+    fmb_gaps_class(&gaps, most, 92, 0, fmb_bound_times(&f, fmb_bound_of_edges(&f), c.bound));
     if (moves)
-        fmb_gaps_class(&gaps, fmb_cuboids_turned(kind, &c, 2), 92, fmb_gaps_speed(&f) * c.bound);
+        fmb_gaps_class(&gaps, fmb_cuboids_turned(kind, &c, 2), 92, 0,
+                       fmb_bound_times(&f, fmb_bound_of_speed(&f), c.bound));
     return fmb_gaps_bits(&gaps, f.known);
 }
 
-FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves, fmb_asked asked)
+FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves, bool single,
+                                        fmb_asked asked)
 {
-    const fmb_kind kind = {3, moves, false};
+    const fmb_kind kind = {3, moves, false, single};
     local_frame f;
-    local_frame_make(3, moves, false, block, &f);
+    local_frame_make(3, moves, false, single, block, &f);
     fmb_cuboids c;
     fmb_cuboids_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(fmb_cuboids_faces(kind, &c), 26, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(&f, fmb_cuboids_faces(kind, &c), 26, 2, c.bound);
     fmb_pair_bits out;
     if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_cuboids_cross(&c, 0, 3);
     lane side = lane_max(fmb_cuboids_side(kind, &c, 0, 1), fmb_cuboids_side(kind, &c, 0, 2));
     side = lane_max(side, fmb_cuboids_side(kind, &c, 1, 2));
-    lane e_bound = f.most_e * c.bound, drift_bound = fmb_gaps_speed(&f) * c.bound;
-    fmb_gaps_class(&gaps, side, 384, f.most_e * e_bound);
+    const fmb_bound e = fmb_bound_of_edges(&f), e_bound = fmb_bound_times(&f, e, c.bound);
+    fmb_gaps_class(&gaps, side, 384, 12, fmb_bound_times(&f, e, e_bound));
     if (fmb_gaps_done(&gaps, f.known, &out) || asked == FMB_ASK_FACES)
         return out;
     fmb_cuboids_cross(&c, 3, fmb_cuboids_count(kind));
     lane edge = lane_max(fmb_cuboids_ridge(kind, &c, 0), fmb_cuboids_ridge(kind, &c, 1));
-    fmb_gaps_class(&gaps, lane_max(edge, fmb_cuboids_ridge(kind, &c, 2)), 92, e_bound);
+    fmb_gaps_class(&gaps, lane_max(edge, fmb_cuboids_ridge(kind, &c, 2)), 92, 4, e_bound);
     if (moves) {
         lane swept = lane_max(fmb_cuboids_side(kind, &c, 0, 3), fmb_cuboids_side(kind, &c, 1, 3));
         swept = lane_max(swept, fmb_cuboids_side(kind, &c, 2, 3));
-        fmb_gaps_class(&gaps, swept, 384, f.most_e * drift_bound);
-        fmb_gaps_class(&gaps, fmb_cuboids_ridge(kind, &c, 3), 92, drift_bound);
+        const fmb_bound drift_bound = fmb_bound_times(&f, fmb_bound_of_speed(&f), c.bound);
+        fmb_gaps_class(&gaps, swept, 384, 12, fmb_bound_times(&f, e, drift_bound));
+        fmb_gaps_class(&gaps, fmb_cuboids_ridge(kind, &c, 3), 92, 4, drift_bound);
     }
     return fmb_gaps_bits(&gaps, f.known);
 }

@@ -160,7 +160,7 @@ FMB_INLINE fmb_pair_bits fmb_flat(int dim, const fmb_flat_kind *k, const double 
         lane n[3];
         lane bound = flat_normal(dim, k, &p, i, n) * p.reach;
         fmb_gaps_class(&gaps, flat_gap(dim, k, &p, n),
-                       dim == 2 ? FLAT_ERROR_PLANE : FLAT_ERROR_SPACE, bound);
+                       dim == 2 ? FLAT_ERROR_PLANE : FLAT_ERROR_SPACE, 0, fmb_bound_rounded(bound));
         if (i % 4 == 1 && fmb_gaps_done(&gaps, known, &out))
             return out;
     }

@@ -16,44 +16,98 @@
 typedef struct fmb_kind {
     int dim;
     bool moves, simplex; /* simplex: A is one (verdict_simplices.h) */
+    bool single;         /* numbers of frames were rounded to floats */
 } fmb_kind;
 
 typedef struct fmb_gaps {
-    lane apart; /* largest gap - its error: positive means apart */
-    lane meet;  /* largest gap + its error: negative means meet, if all rows were tested */
+    lane apart;  /* largest gap - its error: positive means apart */
+    lane meet;   /* largest gap + its error: negative means meet, if all rows were tested */
+    bool single; /* constant, and given: as in local_frame */
+    lane given;
 } fmb_gaps;
 
 FMB_INLINE fmb_gaps fmb_gaps_none(void)
 {
-    return (fmb_gaps){lane_of(-INFINITY), lane_of(-INFINITY)};
+    return (fmb_gaps){lane_of(-INFINITY), lane_of(-INFINITY), false, lane_of(0)};
 }
 
-/* count u bound */
-FMB_INLINE lane fmb_gaps_error(double count, lane bound)
+/* Numbers of a local frame, or their products: a bound; and if numbers of frames were rounded to
+ * floats, what they are as computed, and off by for that, in units of `given`. */
+typedef struct fmb_bound {
+    lane most, size, off;
+} fmb_bound;
+
+/* Of products of two. What is of second order is a 2^-13th, as sizes are 2^-8 of bounds at least.
+ */
+FMB_INLINE fmb_bound fmb_bound_times(const local_frame *f, fmb_bound a, fmb_bound b)
 {
-    return lane_of(count * 0x1p-53) * bound;
+    fmb_bound out = {a.most * b.most, lane_of(0), lane_of(0)};
+    if (f->single) {
+        out.size = a.size * b.size;
+        out.off = lane_fma(a.off, b.size, a.size * b.off);
+    }
+    return out;
 }
 
-/* V as a factor: the drift may be so small that products with it underflow, so 2^-100 E more. Then
- * errors are above 2^-700, and what underflows is off by 2^-1075. */
-FMB_INLINE lane fmb_gaps_speed(const local_frame *f)
+/* A bound of numbers that are off by rounding alone. */
+FMB_INLINE fmb_bound fmb_bound_rounded(lane most)
 {
-    return lane_fma(lane_of(0x1p-100), f->most_e, f->most_drift);
+    return (fmb_bound){most, lane_of(0), lane_of(0)};
 }
 
-/* Add a class whose largest gap has an error of at most count u bound. */
-FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, lane bound)
+/* Of h H + S + n E + V. */
+FMB_INLINE fmb_bound fmb_bound_of(const local_frame *f, double h, double n)
 {
-    lane error = fmb_gaps_error(count, bound);
+    lane most = lane_fma(lane_of(h), f->most_shift, f->most_size);
+    most = lane_fma(lane_of(n), f->most_e, most + f->most_drift);
+    fmb_bound out = {most, lane_of(0), most};
+    if (f->single) {
+        out.size = lane_fma(lane_of(h), f->found_shift, f->found_size);
+        out.size = lane_fma(lane_of(n), f->found_e, out.size + f->found_drift);
+    }
+    return out;
+}
+
+/* Of E. */
+FMB_INLINE fmb_bound fmb_bound_of_edges(const local_frame *f)
+{
+    return (fmb_bound){f->most_e, f->single ? f->found_e : lane_of(0), f->most_e};
+}
+
+/* Of V, as a factor: the drift may be so small that products with it underflow, so 2^-100 E more.
+ * Then errors are above 2^-700, and what underflows is off by 2^-1075. */
+FMB_INLINE fmb_bound fmb_bound_of_speed(const local_frame *f)
+{
+    const lane most = lane_fma(lane_of(0x1p-100), f->most_e, f->most_drift);
+    return (fmb_bound){most, f->single ? f->found_drift : lane_of(0), most};
+}
+
+/* count u times the bound, and times times what it is off by */
+FMB_INLINE lane fmb_gaps_error(const fmb_gaps *x, double count, double times, fmb_bound bound)
+{
+    lane error = lane_of(count * 0x1p-53) * bound.most;
+    if (x->single)
+        error = lane_fma(lane_of(times) * x->given, bound.off, error);
+    return error;
+}
+
+/* Add a class whose largest gap has an error of at most that. */
+FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, double times, fmb_bound bound)
+{
+    lane error = fmb_gaps_error(x, count, times, bound);
     x->apart = lane_max(x->apart, gap - error);
     x->meet = lane_max(x->meet, gap + error);
 }
 
 /* The first class there is. */
-FMB_INLINE fmb_gaps fmb_gaps_first(lane gap, double count, lane bound)
+FMB_INLINE fmb_gaps fmb_gaps_first(const local_frame *f, lane gap, double count, double times,
+                                   fmb_bound bound)
 {
-    lane error = fmb_gaps_error(count, bound);
-    return (fmb_gaps){gap - error, gap + error};
+    fmb_gaps out = {gap, gap, f->single, f->single ? f->given : lane_of(0)};
+    lane error = fmb_gaps_error(&out, count, times, bound);
+    out.apart = gap - error;
+    out.meet = gap + error;
+    return out;
 }
 
 /* The largest of gaps 0 ... i of a class, given that of those before. Numbers are constant where
@@ -64,9 +118,10 @@ FMB_INLINE lane fmb_gaps_largest(int i, lane before, lane gap)
 }
 
 /* Let lanes meet only if a number of that size exceeds its error: then its sign is certain. */
-FMB_INLINE void fmb_gaps_certain(fmb_gaps *x, lane size, double count, lane bound)
+FMB_INLINE void fmb_gaps_certain(fmb_gaps *x, lane size, double count, double times,
+                                 fmb_bound bound)
 {
-    x->meet = lane_max(x->meet, fmb_gaps_error(count, bound) - size);
+    x->meet = lane_max(x->meet, fmb_gaps_error(x, count, times, bound) - size);
 }
 
 /* Are all lanes apart already? Then no other row needs to be tested. */

@@ -17,12 +17,12 @@ FMB_VERDICT_KERNEL(fmb_2d_tt, fmb_simplices_2d(block, false, true))
 FMB_VERDICT_KERNEL(fmb_2d_moving_cc, fmb_cuboids_2d(block, true))
 FMB_VERDICT_KERNEL(fmb_2d_moving_ct, fmb_simplices_2d(block, true, false))
 FMB_VERDICT_KERNEL(fmb_2d_moving_tt, fmb_simplices_2d(block, true, true))
-FMB_VERDICT_KERNEL(fmb_3d_cc, fmb_cuboids_3d(block, false, FMB_ASK_ALL))
-FMB_VERDICT_KERNEL(fmb_3d_ct, fmb_simplices_3d(block, false, false, FMB_ASK_ALL))
-FMB_VERDICT_KERNEL(fmb_3d_tt, fmb_simplices_3d(block, false, true, FMB_ASK_ALL))
-FMB_VERDICT_KERNEL(fmb_3d_moving_cc, fmb_cuboids_3d(block, true, FMB_ASK_ALL))
-FMB_VERDICT_KERNEL(fmb_3d_moving_ct, fmb_simplices_3d(block, true, false, FMB_ASK_ALL))
-FMB_VERDICT_KERNEL(fmb_3d_moving_tt, fmb_simplices_3d(block, true, true, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_cc, fmb_cuboids_3d(block, false, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_ct, fmb_simplices_3d(block, false, false, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_tt, fmb_simplices_3d(block, false, true, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_moving_cc, fmb_cuboids_3d(block, true, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_moving_ct, fmb_simplices_3d(block, true, false, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_moving_tt, fmb_simplices_3d(block, true, true, false, FMB_ASK_ALL))
 
 /* A block (simplex, cuboid) is swapped. */
 #define FMB_SHAPES(name)                                                                           \

@@ -41,7 +41,7 @@
 typedef struct fmb_simplices {
     lane v[4], e[3][4], drift[4], end[4]; /* end = v + drift */
     lane w[4][3], det;
-    lane bound, more; /* X, Y */
+    fmb_bound bound, more; /* X, Y */
     /* in space, and doubled */
     lane size, twice;                       /* twice = 2 size */
     lane start[3], middle[3];               /* s, m */
@@ -86,8 +86,8 @@ FMB_INLINE void fmb_simplices_make(fmb_kind kind, const local_frame *f, fmb_simp
             sum = sum + f->drift[i];
         c->middle[i] = c->start[i] + sum;
     }
-    c->bound = (f->most_shift + f->most_size) + (f->most_e + f->most_drift);
-    c->more = lane_fma(lane_of(2), f->most_e, c->bound);
+    c->bound = fmb_bound_of(f, 1, 1);
+    c->more = fmb_bound_of(f, 1, 3);
 }
 
 /* A's rows: the largest gap. */
@@ -225,21 +225,24 @@ FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, const fmb_simplices *c)
 FMB_INLINE void fmb_simplices_ask(fmb_kind kind, const local_frame *f, fmb_simplices *c,
                                   fmb_gaps *gaps)
 {
-    lane power = f->most_e; /* E^(D - 1) */
+    const fmb_bound e = fmb_bound_of_edges(f);
+    fmb_bound power = e; /* E^(D - 1) */
     if (kind.dim == 3)
-        power = power * f->most_e;
+        power = fmb_bound_times(f, power, e);
     if (kind.dim == 2 && !kind.simplex) {
-        fmb_gaps_class(gaps, fmb_simplices_strips(kind, c), 200, power * c->more);
+        fmb_gaps_class(gaps, fmb_simplices_strips(kind, c), 200, 0,
+                       fmb_bound_times(f, power, c->more));
         return;
     }
     fmb_simplices_rows(kind, c);
     if (!kind.simplex) {
-        fmb_gaps_class(gaps, fmb_simplices_slabs(kind, c), 1260, power * c->more);
+        fmb_gaps_class(gaps, fmb_simplices_slabs(kind, c), 1260, 36,
+                       fmb_bound_times(f, power, c->more));
         return;
     }
-    fmb_gaps_class(gaps, fmb_simplices_sides(kind, c), kind.dim == 3 ? 1210 : 100,
-                   power * c->bound);
-    fmb_gaps_certain(gaps, lane_abs(c->det), 150, power * f->most_e);
+    fmb_gaps_class(gaps, fmb_simplices_sides(kind, c), kind.dim == 3 ? 1210 : 100, 18,
+                   fmb_bound_times(f, power, c->bound));
+    fmb_gaps_certain(gaps, lane_abs(c->det), 150, 6, fmb_bound_times(f, power, e));
 }
 
 /* ---- in space: a direction eliminated -------------------------------------------------------- */
@@ -397,33 +400,35 @@ FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c)
 }
 
 FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool simplex,
-                                          fmb_asked asked)
+                                          bool single, fmb_asked asked)
 {
-    const fmb_kind kind = {3, moves, simplex};
+    const fmb_kind kind = {3, moves, simplex, single};
     const int edges = simplex ? 6 : 3; /* directions of edges of A */
     local_frame f;
-    local_frame_make(3, moves, simplex, block, &f);
+    local_frame_make(3, moves, simplex, single, block, &f);
     fmb_simplices c;
     fmb_simplices_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(fmb_simplices_faces(kind, &c), 52, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(&f, fmb_simplices_faces(kind, &c), 52, 4, c.bound);
     fmb_pair_bits out;
-    lane ex = f.most_e * c.more;
     if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_simplices_ask(kind, &f, &c, &gaps);
     if (fmb_gaps_done(&gaps, f.known, &out) || asked == FMB_ASK_FACES)
         return out;
-    lane most = lane_of(0), swept = most, speed = fmb_gaps_speed(&f);
+    const fmb_bound e_bound = fmb_bound_times(&f, fmb_bound_of_edges(&f), c.more);
+    lane most = lane_of(0), swept = most;
 #pragma GCC unroll 6
     for (int edge = 0; edge < edges; edge++) {
         most = fmb_gaps_largest(edge, most, fmb_simplices_edges(kind, &c, edge));
         if (moves)
             swept = fmb_gaps_largest(edge, swept, fmb_simplices_swept(&c, edge));
     }
-    fmb_gaps_class(&gaps, most, 500, ex);
+    fmb_gaps_class(&gaps, most, 500, simplex ? 20 : 8, e_bound);
     if (moves) {
-        fmb_gaps_class(&gaps, swept, 220, speed * c.more);
-        fmb_gaps_class(&gaps, fmb_simplices_times(kind, &c), 1140, speed * ex);
+        const fmb_bound speed = fmb_bound_of_speed(&f);
+        fmb_gaps_class(&gaps, swept, 220, simplex ? 10 : 4, fmb_bound_times(&f, speed, c.more));
+        fmb_gaps_class(&gaps, fmb_simplices_times(kind, &c), 1140, simplex ? 40 : 24,
+                       fmb_bound_times(&f, speed, e_bound));
     }
     return fmb_gaps_bits(&gaps, f.known);
 }
@@ -451,16 +456,16 @@ FMB_INLINE lane fmb_simplices_turned(fmb_kind kind, const fmb_simplices *c)
 
 FMB_INLINE fmb_pair_bits fmb_simplices_2d(const double *block, bool moves, bool simplex)
 {
-    const fmb_kind kind = {2, moves, simplex};
+    const fmb_kind kind = {2, moves, simplex, false};
     local_frame f;
-    local_frame_make(2, moves, simplex, block, &f);
+    local_frame_make(2, moves, simplex, false, block, &f);
     fmb_simplices c;
     fmb_simplices_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(fmb_simplices_faces(kind, &c), 52, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(&f, fmb_simplices_faces(kind, &c), 52, 4, c.bound);
     fmb_simplices_ask(kind, &f, &c, &gaps);
     if (moves)
-        fmb_gaps_class(&gaps, fmb_simplices_turned(kind, &c), simplex ? 50 : 410,
-                       fmb_gaps_speed(&f) * c.bound);
+        fmb_gaps_class(&gaps, fmb_simplices_turned(kind, &c), simplex ? 50 : 410, 0,
+                       fmb_bound_times(&f, fmb_bound_of_speed(&f), c.bound));
     return fmb_gaps_bits(&gaps, f.known);
 }
 
