@@ -1,9 +1,10 @@
 /* hulls.cpp: convex hulls of 8 to 64 points in sets of frames, verdicts and contacts, beside
  * libccd's and FCL's GJK with EPA on the same pairs. usage: bench-hulls [PAIRS]
  *
- * Points are on spheres, or of small integers, which touch. Times are this thread's CPU time,
- * medians of passes in which ways take turns [ns a pair]. An answer is wrong if its verdict is not
- * the exact one, or the depth of a pair that meets is off by more than 1e-6.
+ * A contact is a depth and its normal, for pairs that meet. Points are on spheres, or of small
+ * integers, which touch. Times are this thread's CPU time, medians of passes in which ways take
+ * turns [ns a pair]. An answer is wrong if its verdict is not the exact one, or the depth of a pair
+ * that meets is off by more than 1e-6.
  */
 #include <fcl/fcl.h>
 
@@ -92,11 +93,9 @@ hulls draw_pairs(std::size_t pairs, bool whole, int points)
 void ask_fmb(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, bool contact, answers &out)
 {
     std::size_t n = out.verdict.size();
-    static std::vector<double> normal, points, distance;
+    static std::vector<double> normal;
     static std::vector<fmb_frames_pair> pair;
     normal.resize(3 * n);
-    points.resize(3 * FMB_PAIR_MOST_POINTS * n);
-    distance.resize(n);
     pair.resize(n);
     for (std::uint32_t i = 0; i < n; i++)
         pair[i] = {i, i};
@@ -106,7 +105,6 @@ void ask_fmb(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, bool contact
     if (contact) {
         to.depth = out.depth.data();
         to.normal = normal.data();
-        to.distance = distance.data();
     }
     must(fmb_frames_test(k, a, b, n, pair.data(), &to));
 }

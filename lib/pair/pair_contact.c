@@ -108,10 +108,9 @@ static void ask_kernels(contact_query *x)
         if (x->k->options.method == FMB_PAIR_EXACT)
             continue;
         if (fmb_frame_is_hull(&x->p[i]) || fmb_frame_is_hull(&x->q[i])) {
-            x->good[i] = true;
-            x->verdict[i] =
-                fmb_contact_of_hulls(&x->p[i], &x->q[i], x->k->options.contact,
-                                     &x->k->wide->packed->hulls, &x->good[i], &x->near[i]);
+            x->verdict[i] = fmb_contact_of_hulls(
+                &x->p[i], &x->q[i], x->k->options.contact, &x->k->wide->packed->hulls,
+                x->distances ? FMB_ASK_DISTANCE : FMB_ASK_DEPTH, &x->good[i], &x->near[i]);
         } else if (fmb_edges_of_frame(&x->p[i], &p) && fmb_edges_of_frame(&x->q[i], &q)) {
             prepare_block(x, &p.frame, &q.frame);
             fmb_block_put_flat(&x->block, x->k->wide->width, &p.frame, &q.frame, i);
@@ -238,8 +237,12 @@ static bool is_contact_refused(contact_query *x, size_t i, size_t number)
 fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
                                   const fmb_pair_answers *out)
 {
-    contact_query x = {
-        .k = k, .distances = fmb_contact_asks_distance(out), .rows = out->offset != NULL};
+    contact_query x; /* not cleared, as it is large and there may be one pair */
+    x.k = k;
+    x.distances = fmb_contact_asks_distance(out);
+    x.rows = out->offset != NULL;
+    x.kind.dim = 0;
+    x.block.lanes = 0;
     if (k->dim < 2 || k->dim > 3) {
         snprintf(k->error, sizeof k->error, "depths are told in 2 and 3 dimensions, not %d",
                  k->dim);

@@ -91,13 +91,17 @@ bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, do
 }
 
 fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
-                                 const fmb_hull_kernels *hulls, bool *good, fmb_pair_near *out)
+                                 const fmb_hull_kernels *hulls, fmb_contact_asked asked, bool *good,
+                                 fmb_pair_near *out)
 {
     asked_bodies x;
-    bool wants = *good, known = ask_nearest_point(p, q, wants ? INFINITY : 0, hulls, &x);
-    *good = false;
+    const bool far = asked == FMB_ASK_DISTANCE, deep = far || asked == FMB_ASK_DEPTH;
+    bool known = ask_nearest_point(p, q, far ? INFINITY : 0, hulls, &x);
+    if (good)
+        *good = false;
     if (known && x.g.apart > 0) {
-        *good = wants && tell_distance(&x, p, q, out);
+        if (far)
+            *good = tell_distance(&x, p, q, out);
         return FMB_INFEASIBLE;
     }
     bool inside = known && fmb_gjk_is_inside(&x.g);
@@ -106,13 +110,14 @@ fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_con
         return FMB_UNKNOWN;
     bool may_touch = x.g.whole && contact == FMB_CONTACT_OPEN;
     double depth, normal[3];
-    bool told = (wants || may_touch) && fmb_epa_depth(&x.g, &depth, normal);
+    bool told = (deep || may_touch) && fmb_epa_depth(&x.g, &depth, normal);
     if (may_touch && !(told && depth > 0))
         return FMB_UNKNOWN;
-    *good = wants && told;
-    if (*good)
-        out->length = ldexp(depth, x.b.exponent);
-    for (int j = 0; *good && j < p->dim; j++)
+    if (!deep || !told)
+        return FMB_FEASIBLE;
+    *good = true;
+    out->length = ldexp(depth, x.b.exponent);
+    for (int j = 0; j < p->dim; j++)
         out->normal[j] = normal[j];
     return FMB_FEASIBLE;
 }

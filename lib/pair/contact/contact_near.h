@@ -23,10 +23,18 @@ bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near 
  * exceeds `enough`. False: nothing is known. */
 bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, double range[2]);
 
-/* Do the frames meet? UNKNOWN: that is not certain. If *good is set, the distance or depth is
- * computed, too, and *good becomes whether it is known. */
+/* What is asked of a pair. */
+typedef enum fmb_contact_asked {
+    FMB_ASK_VERDICT,
+    FMB_ASK_DEPTH,   /* of a pair that meets */
+    FMB_ASK_DISTANCE /* or the distance of one that is apart */
+} fmb_contact_asked;
+
+/* Do the frames meet? UNKNOWN: that is not certain. Sets *good, unless it is NULL: is what else is
+ * asked known? */
 fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
-                                 const fmb_hull_kernels *hulls, bool *good, fmb_pair_near *out);
+                                 const fmb_hull_kernels *hulls, fmb_contact_asked asked, bool *good,
+                                 fmb_pair_near *out);
 
 /* A number b with normal.x <= b on p and normal.x >= b on q; NAN if none is known. */
 double fmb_contact_offset(const fmb_frame *p, const fmb_frame *q, const double *normal);

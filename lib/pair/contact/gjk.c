@@ -62,7 +62,7 @@ void fmb_gjk_support(const fmb_gjk *g, const double *w, fmb_gjk_vertex *out)
 
 /* ---- the nearest point of a simplex ---------------------------------------------------------- */
 
-/* A point of a simplex: vertices and their weights. */
+/* A point of a simplex: vertices, in rising order, and their weights. */
 typedef struct simplex_point {
     int n, of[4];
     double weight[4], x[3];
@@ -151,10 +151,11 @@ const uint8_t FMB_GJK_FACE[2][4][3] = {{{0, 1, 0}, {1, 2, 0}, {2, 0, 0}},
 /* The nearest of the faces at the last vertex, beyond which 0 lies; 0 was not beyond the first. */
 static void nearest_of_tetrahedron(const fmb_gjk *g, simplex_point *out)
 {
+    static const uint8_t face[3][4] = {{0, 1, 3, 2}, {1, 2, 3, 0}, {0, 2, 3, 1}};
     double least = INFINITY;
     for (int i = 0; i < 3; i++) {
-        const uint8_t *f = FMB_GJK_FACE[1][i];
-        if (!is_outside_face(g, f[0], f[1], f[2], 3 - f[0] - f[1]))
+        const uint8_t *f = face[i];
+        if (!is_outside_face(g, f[0], f[1], f[2], f[3]))
             continue;
         simplex_point one;
         nearest_of_triangle(g, f[0], f[1], f[2], &one);
@@ -219,9 +220,9 @@ static bool step_to_vertex(fmb_gjk *g, double *square)
         return false;
     *square = now;
     g->n = p.n;
-    const fmb_gjk_vertex v[4] = {g->v[0], g->v[1], g->v[2], g->v[3]};
     for (int i = 0; i < p.n; i++) {
-        g->v[i] = v[p.of[i]];
+        if (p.of[i] > i)
+            g->v[i] = g->v[p.of[i]];
         g->weight[i] = p.weight[i];
     }
     memcpy(g->x, p.x, sizeof g->x);

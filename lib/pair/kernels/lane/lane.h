@@ -224,6 +224,22 @@ FMB_INLINE lane lane_max(lane a, lane b)
 }
 #endif
 
+/* The largest of all lanes, in each lane. */
+FMB_INLINE lane lane_largest(lane a)
+{
+#if FMB_LANES == 8
+    a = lane_max(a, _mm512_shuffle_f64x2(a, a, 0x4e));
+    a = lane_max(a, _mm512_permutex_pd(a, 0x4e));
+    a = lane_max(a, _mm512_permute_pd(a, 0x55));
+#elif FMB_LANES == 4
+    a = lane_max(a, _mm256_permute2f128_pd(a, a, 1));
+    a = lane_max(a, _mm256_permute_pd(a, 5));
+#elif FMB_LANES == 2
+    a = lane_max(a, _mm_shuffle_pd(a, a, 1));
+#endif
+    return a;
+}
+
 /* The first n numbers at a, and 0 in the other lanes; n may be less than 0 or too large. */
 FMB_INLINE lane lane_load_some(const double *a, int n)
 {
