@@ -6,7 +6,8 @@
  * for slightly smaller x it is in the interiors of both. Coordinate descent on the squared distance
  * of z from the cube |z_r| <= 0.9 searches such x: a step along g_j goes to the minimum of the
  * parabola with the present slope and the largest curvature |g_j|^2 that this function has
- * anywhere, so the distance never increases.
+ * anywhere, so the distance never increases. If B moves, it begins in the middle of the times at
+ * which B's bounds meet the cube: of parallel frames these are the times at which they meet.
  *
  * For simplices, z = sum (1 + x_j) g_j over the corners g_j, at t = 0, is a point of B times
  * sum (1 + x_j); it is in A's interior if all z_r > 0. Here the descent aims at z_r >= 0.1.
@@ -41,6 +42,28 @@ FMB_INLINE lane minors_place(minors_kind d, const minors_view *v, const minors_p
     return z;
 }
 
+FMB_INLINE lane minors_clamp(lane x, double most)
+{
+    return lane_max(lane_of(-most), lane_min(lane_of(most), x));
+}
+
+/* The share of the drift, the last column of a cuboid that moves, where the search begins. */
+FMB_INLINE lane minors_begin_drift(minors_kind d, const minors_view *v)
+{
+    lane first = lane_of(-1), last = lane_of(1);
+    for (int r = 0; r < d.dim; r++) {
+        const lane *e = v->e + r * d.n;
+        const lane drift = lane_abs(e[d.dim]) + lane_of(0x1p-500);
+        const lane at = lane_times_sign(v->center[r], e[d.dim]);
+        lane reach = lane_of(0.9);
+        for (int j = 0; j < d.dim; j++)
+            reach = reach + lane_abs(e[j]);
+        first = lane_max(first, (-reach - at) / drift);
+        last = lane_min(last, (reach - at) / drift);
+    }
+    return minors_clamp(lane_of(0.5) * (first + last), 1);
+}
+
 FMB_INLINE void minors_begin_point(minors_kind d, const minors_view *v, minors_point *p)
 {
     for (int j = 0; j < minors_count_generators(d); j++) {
@@ -52,13 +75,10 @@ FMB_INLINE void minors_begin_point(minors_kind d, const minors_view *v, minors_p
         p->step[j] = lane_of(1) / square;
         p->x[j] = lane_of(0);
     }
+    if (d.moves && !d.simplices && !d.from_cuboid && !d.from_simplex)
+        p->x[d.dim] = minors_begin_drift(d, v);
     for (int r = 0; r < minors_count_rows(d); r++)
         p->z[r] = minors_place(d, v, p, r);
-}
-
-FMB_INLINE lane minors_clamp(lane x, double most)
-{
-    return lane_max(lane_of(-most), lane_min(lane_of(most), x));
 }
 
 /* The distance of z from its required interval. */
