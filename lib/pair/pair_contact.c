@@ -110,7 +110,7 @@ static void ask_kernels(contact_query *x)
         if (fmb_frame_is_hull(&x->p[i]) || fmb_frame_is_hull(&x->q[i])) {
             x->verdict[i] = fmb_contact_of_hulls(
                 &x->p[i], &x->q[i], x->k->options.contact, &x->k->wide->packed->hulls,
-                x->distances ? FMB_ASK_DISTANCE : FMB_ASK_DEPTH, &x->good[i], &x->near[i]);
+                x->distances ? FMB_HULLS_DISTANCE : FMB_HULLS_DEPTH, &x->good[i], &x->near[i]);
         } else if (fmb_edges_of_frame(&x->p[i], &p) && fmb_edges_of_frame(&x->q[i], &q)) {
             prepare_block(x, &p.frame, &q.frame);
             fmb_block_put_flat(&x->block, x->k->wide->width, &p.frame, &q.frame, i);

@@ -130,7 +130,7 @@ void fmb_single_pair_decide(const fmb_pair_call *a, size_t i, fmb_verdict *out)
     bool by_kernels = k->dim == 2 || k->dim == 3;
     if (fmb_single_pair_is_of_hulls(p, q)) {
         *out = fmb_contact_of_hulls(p, q, k->options.contact, &k->wide->packed->hulls,
-                                    FMB_ASK_VERDICT, NULL, NULL);
+                                    FMB_HULLS_VERDICT, NULL, NULL);
         fmb_way_answered(FMB_WAY_PAIR_DOUBLES, *out != FMB_UNKNOWN);
         return;
     }

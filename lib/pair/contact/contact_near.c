@@ -91,11 +91,11 @@ bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, do
 }
 
 fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
-                                 const fmb_hull_kernels *hulls, fmb_contact_asked asked, bool *good,
+                                 const fmb_hull_kernels *hulls, fmb_hulls_asked asked, bool *good,
                                  fmb_pair_near *out)
 {
     asked_bodies x;
-    const bool far = asked == FMB_ASK_DISTANCE, deep = far || asked == FMB_ASK_DEPTH;
+    const bool far = asked == FMB_HULLS_DISTANCE, deep = far || asked == FMB_HULLS_DEPTH;
     bool known = ask_nearest_point(p, q, far ? INFINITY : 0, hulls, &x);
     if (good)
         *good = false;

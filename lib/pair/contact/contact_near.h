@@ -23,17 +23,17 @@ bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near 
  * exceeds `enough`. False: nothing is known. */
 bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, double range[2]);
 
-/* What is asked of a pair. */
-typedef enum fmb_contact_asked {
-    FMB_ASK_VERDICT,
-    FMB_ASK_DEPTH,   /* of a pair that meets */
-    FMB_ASK_DISTANCE /* or the distance of one that is apart */
-} fmb_contact_asked;
+/* What is asked of a pair of hulls. */
+typedef enum fmb_hulls_asked {
+    FMB_HULLS_VERDICT,
+    FMB_HULLS_DEPTH,   /* of a pair that meets */
+    FMB_HULLS_DISTANCE /* or the distance of one that is apart */
+} fmb_hulls_asked;
 
 /* Do the frames meet? UNKNOWN: that is not certain. Sets *good, unless it is NULL: is what else is
  * asked known? */
 fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
-                                 const fmb_hull_kernels *hulls, fmb_contact_asked asked, bool *good,
+                                 const fmb_hull_kernels *hulls, fmb_hulls_asked asked, bool *good,
                                  fmb_pair_near *out);
 
 /* A number b with normal.x <= b on p and normal.x >= b on q; NAN if none is known. */

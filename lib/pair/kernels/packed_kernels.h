@@ -60,7 +60,9 @@ typedef enum fmb_asked { FMB_ASK_FACES, FMB_ASK_ALL } fmb_asked;
 typedef struct fmb_packed_pairs {
     const double *record[2];
     const float *single[2]; /* the same rounded to floats, for kernels that say so */
-    double given[3];        /* bounds of shift and drift; FMB_SINGLE_ERROR, or 0: nothing rounded */
+    /* of those: bounds of the numbers of both origins, and of both speeds; FMB_SINGLE_ERROR, or 0
+     * if no number was rounded */
+    double far, fast, rounding;
     const uint32_t *index[2];
     size_t n;
     bool moves;

@@ -58,8 +58,9 @@ static fmb_packed_pairs pack_pairs(const fmb_pair *k, const pairs_query *x,
     const fmb_frames *set[2] = {x->a, x->b};
     const uint32_t *index[2] = {&pair->a, &pair->b};
     fmb_packed_pairs packed = {.n = n,
-                               .given = {x->a->far + x->b->far, x->a->fast + x->b->fast,
-                                         x->a->rounded || x->b->rounded ? FMB_SINGLE_ERROR : 0},
+                               .far = x->a->far + x->b->far,
+                               .fast = x->a->fast + x->b->fast,
+                               .rounding = x->a->rounded || x->b->rounded ? FMB_SINGLE_ERROR : 0,
                                .moves = plan->moves,
                                .closed = k->options.contact == FMB_CONTACT_CLOSED,
                                .shapes = plan->shapes,

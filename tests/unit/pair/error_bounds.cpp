@@ -102,15 +102,15 @@ static void lane_store(double *a, lane x)
 }
 
 /* Of what is given to a float a two hundredth is left for what gaps are off by in second order. */
-static double error_of_local_frame(lane given)
+static double error_of_local_frame(lane input)
 {
-    return (LOCAL_FRAME_ERROR + (single ? 0.995 * given.v : 0)) / UNIT;
+    return (LOCAL_FRAME_ERROR + (single ? 0.995 * input.v : 0)) / UNIT;
 }
 
 static void claim_number(const char *what, const local_frame *f, lane x, lane bound)
 {
     claim(std::string(what) + " is at most", size_of(x), bound.v * (1 + 1e-12));
-    claim(std::string(what) + " is off by", x.e, error_of_local_frame(f->given) * bound.v);
+    claim(std::string(what) + " is off by", x.e, error_of_local_frame(f->input_error) * bound.v);
 }
 
 static void count_local_frame(int dim, bool moves)
@@ -135,8 +135,8 @@ static void count_local_frame(int dim, bool moves)
 static void make_bounds(int dim, bool, bool, bool, const double *, local_frame *f)
 {
     f->single = single;
-    f->given = {dim * FMB_SINGLE_ERROR, 0};
-    const double count = error_of_local_frame(f->given);
+    f->input_error = {dim * FMB_SINGLE_ERROR, 0};
+    const double count = error_of_local_frame(f->input_error);
     double bound[4];
     for (double &b : bound)
         b = some_size();
@@ -164,7 +164,7 @@ static void make_bounds(int dim, bool, bool, bool, const double *, local_frame *
 static std::string text_of_error(const char *what, double count, double times)
 {
     const std::string rounding = what + (" to " + std::to_string((int)count)) + " u";
-    return single ? rounding + " and " + std::to_string((int)times) + " given" : rounding;
+    return single ? rounding + " and " + std::to_string((int)times) + " input" : rounding;
 }
 
 static void count_class(fmb_gaps *x, lane gap, double count, double times, fmb_bound bound)
@@ -177,7 +177,7 @@ static void count_class(fmb_gaps *x, lane gap, double count, double times, fmb_b
 static fmb_gaps count_first(const local_frame *f, lane gap, double count, double times,
                             fmb_bound bound)
 {
-    fmb_gaps x = {{0, 0}, {0, 0}, f->single, f->given};
+    fmb_gaps x = {{0, 0}, {0, 0}, f->single, f->input_error};
     count_class(&x, gap, count, times, bound);
     return x;
 }

@@ -71,8 +71,9 @@ static void make_pairs(study_pair_family family, int shapes, bool moves, double 
     out->packed =
         (fmb_packed_pairs){.single = {out->a->single, out->b->single},
                            .index = {&pair->a, &pair->b},
-                           .given = {out->a->far + out->b->far, out->a->fast + out->b->fast,
-                                     out->a->rounded || out->b->rounded ? FMB_SINGLE_ERROR : 0},
+                           .far = out->a->far + out->b->far,
+                           .fast = out->a->fast + out->b->fast,
+                           .rounding = out->a->rounded || out->b->rounded ? FMB_SINGLE_ERROR : 0,
                            .n = PAIRS,
                            .moves = moves,
                            .shapes = (fmb_packed_shapes)shapes};

@@ -34,11 +34,11 @@ typedef struct local_frame {
     lane volume;                            /* det A, or size: local_frame_make */
     lane alpha, beta, delta, omega;
     lane most_size, most_e, most_shift, most_drift; /* the bounds above */
-    /* if numbers of frames were rounded to floats: numbers above are off by that times their
-     * bounds, and as computed they are no larger than these, which are 2^-8 of their bounds at
-     * least */
-    bool single; /* constant */
-    lane given, found_size, found_e, found_shift, found_drift;
+    bool single;      /* constant: numbers of frames were rounded to floats. If so, also: */
+    lane input_error; /* what numbers above are off by for that, over their bounds */
+    lane found_size, found_e, found_shift,
+        found_drift; /* their largest absolute values as computed,
+                        or 2^-8 of the bounds if that is more */
     lane_mask known;
 } local_frame;
 
@@ -109,7 +109,8 @@ FMB_INLINE lane local_frame_measure_axes(int dim, const double *axes, local_fram
     return f->alpha * lane_max(least, second);
 }
 
-/* Set delta and omega, and with numbers rounded to floats `given`: dim factors at most are off. */
+/* Set delta and omega, and with numbers rounded to floats input_error: dim factors at most are off.
+ */
 FMB_INLINE void local_frame_measure_differences(int dim, bool moves, bool single,
                                                 const double *block, local_frame *f)
 {
@@ -120,7 +121,7 @@ FMB_INLINE void local_frame_measure_differences(int dim, bool moves, bool single
     if (moves)
         f->omega = single ? lane_load(more + FMB_LANES) : local_frame_largest(drift, dim);
     if (single)
-        f->given = lane_of(dim) * lane_load(more + 2 * FMB_LANES);
+        f->input_error = lane_of(dim) * lane_load(more + 2 * FMB_LANES);
 }
 
 /* The largest absolute value of some numbers, or 2^-8 of their bound. */
@@ -171,7 +172,7 @@ FMB_INLINE void local_frame_measure(int dim, bool moves, bool single, const doub
     /* the sign of det A must be certain */
     lane error = lane_of(LOCAL_FRAME_ERROR);
     if (single) {
-        error = error + f->given;
+        error = error + f->input_error;
         local_frame_find_sizes(dim, moves, f);
     }
     f->known = lane_and(f->known, lane_less(error * f->most_size, f->size));

@@ -60,11 +60,12 @@ FMB_INLINE void pack_block(int dim, bool moves, const lane *a, const lane *b, do
 }
 
 /* The rows that follow in a block of numbers that were rounded to floats. */
-FMB_INLINE void pack_rounding(int dim, bool moves, const double given[3], double *block)
+FMB_INLINE void pack_rounding(int dim, bool moves, const fmb_packed_pairs *x, double *block)
 {
     double *to = block + dim * (1 + 2 * dim + moves) * FMB_LANES;
-    for (int r = 0; r < 3; r++, to += FMB_LANES)
-        lane_store(to, lane_of(given[r]));
+    lane_store(to, lane_of(x->far));
+    lane_store(to + FMB_LANES, lane_of(x->fast));
+    lane_store(to + 2 * FMB_LANES, lane_of(x->rounding));
 }
 
 /* ---- pairs by index -------------------------------------------------------------------------- */
@@ -149,7 +150,7 @@ FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, int shapes, bool sing
     pack_found(dim, moves, single, x, 1, at[1][slot], b);
     pack_block(dim, moves, a, b, block);
     if (single)
-        pack_rounding(dim, moves, x->given, block);
+        pack_rounding(dim, moves, x, block);
     return packed_ask(dim, moves, shapes, single, FMB_ASK_ALL, x->kind, block);
 }
 

@@ -116,7 +116,7 @@ FMB_INLINE lane fmb_cuboids_ridge(fmb_kind kind, const fmb_cuboids *c, int a)
 
 FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
 {
-    const fmb_kind kind = {2, moves, false, false};
+    const fmb_kind kind = {2, moves, false};
     local_frame f;
     local_frame_make(2, moves, false, false, block, &f);
     fmb_cuboids c;
@@ -133,7 +133,7 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
 FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves, bool single,
                                         fmb_asked asked)
 {
-    const fmb_kind kind = {3, moves, false, single};
+    const fmb_kind kind = {3, moves, false};
     local_frame f;
     local_frame_make(3, moves, false, single, block, &f);
     fmb_cuboids c;

@@ -16,14 +16,13 @@
 typedef struct fmb_kind {
     int dim;
     bool moves, simplex; /* simplex: A is one (verdict_simplices.h) */
-    bool single;         /* numbers of frames were rounded to floats */
 } fmb_kind;
 
 typedef struct fmb_gaps {
     lane apart;  /* largest gap - its error: positive means apart */
     lane meet;   /* largest gap + its error: negative means meet, if all rows were tested */
-    bool single; /* constant, and given: as in local_frame */
-    lane given;
+    bool single; /* constant; and input_error, as in local_frame */
+    lane input_error;
 } fmb_gaps;
 
 FMB_INLINE fmb_gaps fmb_gaps_none(void)
@@ -32,7 +31,7 @@ FMB_INLINE fmb_gaps fmb_gaps_none(void)
 }
 
 /* Numbers of a local frame, or their products: a bound; and if numbers of frames were rounded to
- * floats, what they are as computed, and off by for that, in units of `given`. */
+ * floats, what they are as computed, and off by for that, in units of input_error. */
 typedef struct fmb_bound {
     lane most, size, off;
 } fmb_bound;
@@ -87,7 +86,7 @@ FMB_INLINE lane fmb_gaps_error(const fmb_gaps *x, double count, double times, fm
 {
     lane error = lane_of(count * 0x1p-53) * bound.most;
     if (x->single)
-        error = lane_fma(lane_of(times) * x->given, bound.off, error);
+        error = lane_fma(lane_of(times) * x->input_error, bound.off, error);
     return error;
 }
 
@@ -103,7 +102,7 @@ FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, double times
 FMB_INLINE fmb_gaps fmb_gaps_first(const local_frame *f, lane gap, double count, double times,
                                    fmb_bound bound)
 {
-    fmb_gaps out = {gap, gap, f->single, f->single ? f->given : lane_of(0)};
+    fmb_gaps out = {gap, gap, f->single, f->single ? f->input_error : lane_of(0)};
     lane error = fmb_gaps_error(&out, count, times, bound);
     out.apart = gap - error;
     out.meet = gap + error;

@@ -402,7 +402,7 @@ FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c)
 FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool simplex,
                                           bool single, fmb_asked asked)
 {
-    const fmb_kind kind = {3, moves, simplex, single};
+    const fmb_kind kind = {3, moves, simplex};
     const int edges = simplex ? 6 : 3; /* directions of edges of A */
     local_frame f;
     local_frame_make(3, moves, simplex, single, block, &f);
@@ -456,7 +456,7 @@ FMB_INLINE lane fmb_simplices_turned(fmb_kind kind, const fmb_simplices *c)
 
 FMB_INLINE fmb_pair_bits fmb_simplices_2d(const double *block, bool moves, bool simplex)
 {
-    const fmb_kind kind = {2, moves, simplex, false};
+    const fmb_kind kind = {2, moves, simplex};
     local_frame f;
     local_frame_make(2, moves, simplex, false, block, &f);
     fmb_simplices c;
