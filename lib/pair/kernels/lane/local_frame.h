@@ -36,9 +36,8 @@ typedef struct local_frame {
     lane most_size, most_e, most_shift, most_drift; /* the bounds above */
     bool single;      /* constant: numbers of frames were rounded to floats. If so, also: */
     lane input_error; /* what numbers above are off by for that, over their bounds */
-    lane found_size, found_e, found_shift,
-        found_drift; /* their largest absolute values as computed,
-                        or 2^-8 of the bounds if that is more */
+    /* their largest absolute values as computed, or 2^-8 of the bounds if that is more */
+    lane found_size, found_e, found_shift, found_drift;
     lane_mask known;
 } local_frame;
 
