@@ -100,7 +100,7 @@ typedef struct fmb_packed {
                     fmb_distance_lanes *distances);
     /* Are all verdicts known? */
     bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out); /* [D - 2] */
-    /* The same in space by floats, of frames with all axes; may be NULL. */
+    /* The same in space, of frames with all axes, where it pays by floats; may be NULL. */
     bool (*single)(const fmb_packed_pairs *x, fmb_verdict *out);
     /* The rows of a block of as many pairs as there are lanes, which stand still and have all axes.
      */

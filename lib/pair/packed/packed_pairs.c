@@ -109,9 +109,7 @@ static fmb_status decide_pairs_of_kinds(fmb_pair *k, const pairs_query *x, int k
     fmb_packed_plan plan;
     if (!fmb_packed_plan_of(k, kind_a, kind_b, &plan))
         return fmb_packed_decide(k, x->a, x->b, n, pair, out);
-    /* rows of two simplices that move take longer than reading their records */
-    const bool floats = k->dim == 3 && plan.shapes != FMB_PACKED_ANY && k->wide->packed->single &&
-                        !(plan.shapes == FMB_PACKED_SIMPLICES && plan.moves);
+    const bool floats = k->dim == 3 && plan.shapes != FMB_PACKED_ANY && k->wide->packed->single;
     return (floats ? decide_in_floats : decide_in_doubles)(k, x, &plan, n, pair, out);
 }
 

@@ -69,7 +69,8 @@ static void make_pairs(study_pair_family family, int shapes, bool moves, double 
     cr_assert_eq(fmb_frames_new(3, PAIRS, out->p, NULL, &out->a), FMB_OK);
     cr_assert_eq(fmb_frames_new(3, PAIRS, out->q, NULL, &out->b), FMB_OK);
     out->packed =
-        (fmb_packed_pairs){.single = {out->a->single, out->b->single},
+        (fmb_packed_pairs){.record = {out->a->record, out->b->record},
+                           .single = {out->a->single, out->b->single},
                            .index = {&pair->a, &pair->b},
                            .far = out->a->far + out->b->far,
                            .fast = out->a->fast + out->b->fast,

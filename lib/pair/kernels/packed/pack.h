@@ -181,6 +181,9 @@ FMB_INLINE bool packed_pairs(int dim, bool moves, int shapes, bool single,
     return known == all;
 }
 
+static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out);
+
+/* Floats are not read of two simplices that move: their rows take longer than reading doubles. */
 FMB_INLINE bool packed_pairs_of_shapes(int dim, bool moves, bool single, const fmb_packed_pairs *x,
                                        fmb_verdict *out)
 {
@@ -190,7 +193,8 @@ FMB_INLINE bool packed_pairs_of_shapes(int dim, bool moves, bool single, const f
     case FMB_PACKED_ONE_OF_EACH:
         return packed_pairs(dim, moves, FMB_PACKED_ONE_OF_EACH, single, x, out);
     case FMB_PACKED_SIMPLICES:
-        return packed_pairs(dim, moves, FMB_PACKED_SIMPLICES, single, x, out);
+        return single && moves ? packed_pairs_3d(x, out)
+                               : packed_pairs(dim, moves, FMB_PACKED_SIMPLICES, single, x, out);
     default:
         return packed_pairs(dim, moves, FMB_PACKED_ANY, false, x, out);
     }
