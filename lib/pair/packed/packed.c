@@ -58,6 +58,28 @@ bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
     return true;
 }
 
+fmb_packed_pairs fmb_packed_pairs_of(const fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
+                                     const fmb_packed_plan *plan, size_t n,
+                                     const fmb_frames_pair *pair)
+{
+    const fmb_frames *set[2] = {a, b};
+    const uint32_t *index[2] = {&pair->a, &pair->b};
+    fmb_packed_pairs out = {.n = n,
+                            .far = a->far + b->far,
+                            .fast = a->fast + b->fast,
+                            .rounding = a->rounded || b->rounded ? FMB_SINGLE_ERROR : 0,
+                            .moves = plan->moves,
+                            .closed = k->options.contact == FMB_CONTACT_CLOSED,
+                            .shapes = plan->shapes,
+                            .kind = &plan->flat};
+    for (int side = 0; side < 2; side++) {
+        out.record[side] = set[side ^ plan->swapped]->record;
+        out.single[side] = set[side ^ plan->swapped]->single;
+        out.index[side] = index[side ^ plan->swapped];
+    }
+    return out;
+}
+
 /* Answer n <= FMB_PACKED_AT_ONCE pairs as frames, with more than verdicts; out is for them. */
 static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                                    const fmb_frames_pair *pair, fmb_pair_known known,

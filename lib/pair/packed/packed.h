@@ -17,6 +17,11 @@ typedef struct fmb_packed_plan {
 /* False: no kernel decides pairs of these kinds. */
 bool fmb_packed_plan_of(const fmb_pair *k, int kind_a, int kind_b, fmb_packed_plan *out);
 
+/* n pairs of the plan's kinds, for kernels; refers to plan and pair. */
+fmb_packed_pairs fmb_packed_pairs_of(const fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
+                                     const fmb_packed_plan *plan, size_t n,
+                                     const fmb_frames_pair *pair);
+
 /* Frames that are passed on at once. */
 enum { FMB_PACKED_AT_ONCE = 64 };
 

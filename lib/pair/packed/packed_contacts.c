@@ -135,15 +135,7 @@ static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
                                        const fmb_frames_pair *pair, size_t i,
                                        const fmb_pair_answers *out)
 {
-    const int swap = x->plan.swapped;
-    const fmb_frames *set[2] = {x->a, x->b};
-    const uint32_t *index[2] = {&pair->a, &pair->b};
-    fmb_packed_pairs packed = {.record = {set[swap]->record, set[!swap]->record},
-                               .index = {index[swap], index[!swap]},
-                               .n = n,
-                               .moves = x->plan.moves,
-                               .shapes = x->plan.shapes,
-                               .kind = &x->plan.flat};
+    const fmb_packed_pairs packed = fmb_packed_pairs_of(x->k, x->a, x->b, &x->plan, n, pair);
     contacts_waiting waiting[2];
     fmb_status st = FMB_OK;
     waiting[0].n = waiting[1].n = 0;

@@ -50,33 +50,10 @@ static fmb_status decide_exactly(fmb_pair *k, const pairs_query *x, const fmb_pa
     return fmb_packed_decide(k, x->a, x->b, n, pair, out);
 }
 
-/* What kernels are told. */
-static fmb_packed_pairs pack_pairs(const fmb_pair *k, const pairs_query *x,
-                                   const fmb_packed_plan *plan, size_t n,
-                                   const fmb_frames_pair *pair)
-{
-    const fmb_frames *set[2] = {x->a, x->b};
-    const uint32_t *index[2] = {&pair->a, &pair->b};
-    fmb_packed_pairs packed = {.n = n,
-                               .far = x->a->far + x->b->far,
-                               .fast = x->a->fast + x->b->fast,
-                               .rounding = x->a->rounded || x->b->rounded ? FMB_SINGLE_ERROR : 0,
-                               .moves = plan->moves,
-                               .closed = k->options.contact == FMB_CONTACT_CLOSED,
-                               .shapes = plan->shapes,
-                               .kind = &plan->flat};
-    for (int side = 0; side < 2; side++) {
-        packed.record[side] = set[side ^ plan->swapped]->record;
-        packed.single[side] = set[side ^ plan->swapped]->single;
-        packed.index[side] = index[side ^ plan->swapped];
-    }
-    return packed;
-}
-
 static fmb_status decide_in_doubles(fmb_pair *k, const pairs_query *x, const fmb_packed_plan *plan,
                                     size_t n, const fmb_frames_pair *pair, fmb_verdict *out)
 {
-    const fmb_packed_pairs packed = pack_pairs(k, x, plan, n, pair);
+    const fmb_packed_pairs packed = fmb_packed_pairs_of(k, x->a, x->b, plan, n, pair);
     bool known = k->dim > 3 ? k->wide->minors->pairs(k->dim, plan->what, &packed, k->room, out)
                             : k->wide->packed->pairs[k->dim - 2](&packed, out);
     return known ? FMB_OK : decide_open_pairs(k, x, plan, decide_exactly, n, pair, out);
@@ -90,14 +67,14 @@ static fmb_status decide_in_floats(fmb_pair *k, const pairs_query *x, const fmb_
                                    size_t n, const fmb_frames_pair *pair, fmb_verdict *out)
 {
     const size_t first = n < FIRST ? n : FIRST;
-    fmb_packed_pairs packed = pack_pairs(k, x, plan, first, pair);
+    fmb_packed_pairs packed = fmb_packed_pairs_of(k, x->a, x->b, plan, first, pair);
     bool known = k->wide->packed->single(&packed, out);
     size_t open = 0;
     for (size_t i = 0; !known && i < first; i++)
         open += out[i] == FMB_UNKNOWN;
     if (2 * open > first)
         return decide_in_doubles(k, x, plan, n, pair, out);
-    packed = pack_pairs(k, x, plan, n - first, pair + first);
+    packed = fmb_packed_pairs_of(k, x->a, x->b, plan, n - first, pair + first);
     known &= first == n || k->wide->packed->single(&packed, out + first);
     return known ? FMB_OK : decide_open_pairs(k, x, plan, decide_in_doubles, n, pair, out);
 }

@@ -167,25 +167,23 @@ static std::string text_of_error(const char *what, double count, double times)
     return single ? rounding + " and " + std::to_string((int)times) + " input" : rounding;
 }
 
-static void count_class(fmb_gaps *x, lane gap, double count, double times, fmb_bound bound)
+static void count_class(fmb_gaps *, lane gap, double count, double times, fmb_bound bound)
 {
     claim(text_of_error("gap", count, times), gap.e + counted_sign,
-          fmb_gaps_error(x, count, times, bound).v / UNIT);
+          fmb_gaps_error(count, times, bound).v / UNIT);
     counted_sign = 0;
 }
 
-static fmb_gaps count_first(const local_frame *f, lane gap, double count, double times,
-                            fmb_bound bound)
+static fmb_gaps count_first(lane gap, double count, double times, fmb_bound bound)
 {
-    fmb_gaps x = {{0, 0}, {0, 0}, f->single, f->input_error};
-    count_class(&x, gap, count, times, bound);
-    return x;
+    count_class(nullptr, gap, count, times, bound);
+    return fmb_gaps_none();
 }
 
-static void count_certain(fmb_gaps *x, lane size, double count, double times, fmb_bound bound)
+static void count_certain(fmb_gaps *, lane size, double count, double times, fmb_bound bound)
 {
     claim(text_of_error("det B", count, times), size.e,
-          fmb_gaps_error(x, count, times, bound).v / UNIT);
+          fmb_gaps_error(count, times, bound).v / UNIT);
 }
 
 #define local_frame_make make_bounds

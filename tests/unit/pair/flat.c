@@ -8,26 +8,9 @@
 #include "pair/kernels/packed_kernels.h"
 #include "property/random/rows.h"
 #include "study/draw/pairs.h"
+#include "widths.h"
 
-enum { LANES = FMB_BLOCK_MOST_LANES, WIDTHS = 4 };
-
-/* One pair at a time, as on processors without vectors. */
-extern const fmb_pair_kernels kernels_plain;
-
-static int widths(const fmb_pair_kernels *out[WIDTHS])
-{
-    const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
-    int n = 0;
-#ifdef HAVE_PLAIN
-    out[n++] = &kernels_plain;
-#endif
-    for (int i = 0; i < 3; i++) {
-        const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
-        if (k && k->width > 1)
-            out[n++] = k;
-    }
-    return n;
-}
+enum { LANES = FMB_BLOCK_MOST_LANES };
 
 /* ---- kinds ----------------------------------------------------------------------------------- */
 

@@ -8,23 +8,9 @@
 #include "pair/kernels/packed_kernels.h"
 #include "pair/packed/set.h"
 #include "study/draw/pairs.h"
+#include "widths.h"
 
-enum { PAIRS = 300, WIDTHS = 4 };
-
-extern const fmb_packed packed_plain;
-
-static size_t find_widths(const fmb_packed *out[WIDTHS])
-{
-    const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
-    size_t n = 0;
-#ifdef HAVE_PLAIN
-    out[n++] = &packed_plain;
-#endif
-    for (int i = 0; i < 3; i++)
-        if (fmb_pair_kernels_choose(level[i]))
-            out[n++] = fmb_pair_kernels_choose(level[i])->packed;
-    return n;
-}
+enum { PAIRS = 300 };
 
 /* ---- pairs ----------------------------------------------------------------------------------- */
 
@@ -103,14 +89,14 @@ static void decide_exactly(const pairs *x, fmb_verdict *is)
 /* By all kernels, no verdict may be wrong; the least number of those that are known. */
 static int count_known(const pairs *x, const fmb_verdict *is)
 {
-    const fmb_packed *kernels[WIDTHS];
+    const fmb_pair_kernels *kernels[WIDTHS];
     int least = PAIRS;
-    for (size_t w = 0, n = find_widths(kernels); w < n; w++) {
+    for (int w = 0, n = widths(kernels); w < n; w++) {
         fmb_verdict says[PAIRS];
         int known = 0;
-        bool all = kernels[w]->single(&x->packed, says);
+        bool all = kernels[w]->packed->single(&x->packed, says);
         for (int i = 0; i < PAIRS; i++) {
-            cr_expect(says[i] == FMB_UNKNOWN || says[i] == is[i], "width %zu, pair %d: %d", w, i,
+            cr_expect(says[i] == FMB_UNKNOWN || says[i] == is[i], "width %d, pair %d: %d", w, i,
                       says[i]);
             known += says[i] != FMB_UNKNOWN;
         }

@@ -166,7 +166,7 @@ FMB_INLINE void fmb_contact_pass(int dim, bool cuboids, const fmb_flat_kind *k, 
     out->bits.meet = k->may_meet ? out->bits.meet & lane_bits(found) : 0;
     lane length = contact_root(least.square);
     lane above =
-        (least.overlap + fmb_gaps_error(&gaps, error, 0, fmb_bound_rounded(least.size * p.reach))) /
+        (least.overlap + fmb_gaps_error(error, 0, fmb_bound_rounded(least.size * p.reach))) /
         (length - lane_of(off * 0x1p-53) * least.size);
     above = lane_max(above * lane_of(1 + 0x1p-50), lane_of(0));
     lane most = lane_max(lane_fnma(lane_of(0x1p-40), p.reach, above), lane_of(0));

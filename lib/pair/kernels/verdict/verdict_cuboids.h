@@ -44,7 +44,7 @@ FMB_INLINE void fmb_cuboids_make(fmb_kind kind, const local_frame *f, fmb_cuboid
             sum = sum + c->g[k][i];
         c->center[i] = lane_fma(lane_of(2), f->shift[i], sum - f->volume);
     }
-    c->bound = fmb_bound_of(f, 2, dim);
+    c->bound = fmb_bound_of_sum(f, 2, dim);
 }
 
 /* A's rows: the largest gap. */
@@ -121,12 +121,12 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
     local_frame_make(2, moves, false, false, block, &f);
     fmb_cuboids c;
     fmb_cuboids_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(&f, fmb_cuboids_faces(kind, &c), 26, 0, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(fmb_cuboids_faces(kind, &c), 26, 0, c.bound);
     lane most = lane_max(fmb_cuboids_turned(kind, &c, 0), fmb_cuboids_turned(kind, &c, 1));
-    fmb_gaps_class(&gaps, most, 92, 0, fmb_bound_times(&f, fmb_bound_of_edges(&f), c.bound));
+    fmb_gaps_class(&gaps, most, 92, 0, fmb_bound_times(fmb_bound_of_edges(&f), c.bound));
     if (moves)
         fmb_gaps_class(&gaps, fmb_cuboids_turned(kind, &c, 2), 92, 0,
-                       fmb_bound_times(&f, fmb_bound_of_speed(&f), c.bound));
+                       fmb_bound_times(fmb_bound_of_speed(&f), c.bound));
     return fmb_gaps_bits(&gaps, f.known);
 }
 
@@ -138,15 +138,15 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves, bool si
     local_frame_make(3, moves, false, single, block, &f);
     fmb_cuboids c;
     fmb_cuboids_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(&f, fmb_cuboids_faces(kind, &c), 26, 2, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(fmb_cuboids_faces(kind, &c), 26, 2, c.bound);
     fmb_pair_bits out;
     if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_cuboids_cross(&c, 0, 3);
     lane side = lane_max(fmb_cuboids_side(kind, &c, 0, 1), fmb_cuboids_side(kind, &c, 0, 2));
     side = lane_max(side, fmb_cuboids_side(kind, &c, 1, 2));
-    const fmb_bound e = fmb_bound_of_edges(&f), e_bound = fmb_bound_times(&f, e, c.bound);
-    fmb_gaps_class(&gaps, side, 384, 12, fmb_bound_times(&f, e, e_bound));
+    const fmb_bound e = fmb_bound_of_edges(&f), e_bound = fmb_bound_times(e, c.bound);
+    fmb_gaps_class(&gaps, side, 384, 12, fmb_bound_times(e, e_bound));
     if (fmb_gaps_done(&gaps, f.known, &out) || asked == FMB_ASK_FACES)
         return out;
     fmb_cuboids_cross(&c, 3, fmb_cuboids_count(kind));
@@ -155,8 +155,8 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves, bool si
     if (moves) {
         lane swept = lane_max(fmb_cuboids_side(kind, &c, 0, 3), fmb_cuboids_side(kind, &c, 1, 3));
         swept = lane_max(swept, fmb_cuboids_side(kind, &c, 2, 3));
-        const fmb_bound drift_bound = fmb_bound_times(&f, fmb_bound_of_speed(&f), c.bound);
-        fmb_gaps_class(&gaps, swept, 384, 12, fmb_bound_times(&f, e, drift_bound));
+        const fmb_bound drift_bound = fmb_bound_times(fmb_bound_of_speed(&f), c.bound);
+        fmb_gaps_class(&gaps, swept, 384, 12, fmb_bound_times(e, drift_bound));
         fmb_gaps_class(&gaps, fmb_cuboids_ridge(kind, &c, 3), 92, 4, drift_bound);
     }
     return fmb_gaps_bits(&gaps, f.known);

@@ -19,58 +19,63 @@ typedef struct fmb_kind {
 } fmb_kind;
 
 typedef struct fmb_gaps {
-    lane apart;  /* largest gap - its error: positive means apart */
-    lane meet;   /* largest gap + its error: negative means meet, if all rows were tested */
-    bool single; /* constant; and input_error, as in local_frame */
-    lane input_error;
+    lane apart; /* largest gap - its error: positive means apart */
+    lane meet;  /* largest gap + its error: negative means meet, if all rows were tested */
 } fmb_gaps;
 
 FMB_INLINE fmb_gaps fmb_gaps_none(void)
 {
-    return (fmb_gaps){lane_of(-INFINITY), lane_of(-INFINITY), false, lane_of(0)};
+    return (fmb_gaps){lane_of(-INFINITY), lane_of(-INFINITY)};
 }
 
 /* Numbers of a local frame, or their products: a bound; and if numbers of frames were rounded to
- * floats, what they are as computed, and off by for that, in units of input_error. */
+ * floats, how large they are as computed, and what they are off by for that. */
 typedef struct fmb_bound {
-    lane most, size, off;
+    lane most;
+    bool single; /* constant */
+    lane size, off;
 } fmb_bound;
-
-/* Of products of two. What is of second order is a 2^-13th, as sizes are 2^-8 of bounds at least.
- */
-FMB_INLINE fmb_bound fmb_bound_times(const local_frame *f, fmb_bound a, fmb_bound b)
-{
-    fmb_bound out = {a.most * b.most, lane_of(0), lane_of(0)};
-    if (f->single) {
-        out.size = a.size * b.size;
-        out.off = lane_fma(a.off, b.size, a.size * b.off);
-    }
-    return out;
-}
 
 /* A bound of numbers that are off by rounding alone. */
 FMB_INLINE fmb_bound fmb_bound_rounded(lane most)
 {
-    return (fmb_bound){most, lane_of(0), lane_of(0)};
+    return (fmb_bound){most, false, lane_of(0), lane_of(0)};
+}
+
+/* Numbers of a local frame, `found` as computed. */
+FMB_INLINE fmb_bound fmb_bound_of(const local_frame *f, lane most, lane found)
+{
+    return (fmb_bound){most, true, found, f->input_error * most};
+}
+
+/* Of products of two. What is of second order is a 2^-13th, as sizes are 2^-8 of bounds at least.
+ */
+FMB_INLINE fmb_bound fmb_bound_times(fmb_bound a, fmb_bound b)
+{
+    fmb_bound out = fmb_bound_rounded(a.most * b.most);
+    if (!a.single)
+        return out;
+    out.single = true;
+    out.size = a.size * b.size;
+    out.off = lane_fma(a.off, b.size, a.size * b.off);
+    return out;
 }
 
 /* Of h H + S + n E + V. */
-FMB_INLINE fmb_bound fmb_bound_of(const local_frame *f, double h, double n)
+FMB_INLINE fmb_bound fmb_bound_of_sum(const local_frame *f, double h, double n)
 {
     lane most = lane_fma(lane_of(h), f->most_shift, f->most_size);
     most = lane_fma(lane_of(n), f->most_e, most + f->most_drift);
-    fmb_bound out = {most, lane_of(0), most};
-    if (f->single) {
-        out.size = lane_fma(lane_of(h), f->found_shift, f->found_size);
-        out.size = lane_fma(lane_of(n), f->found_e, out.size + f->found_drift);
-    }
-    return out;
+    if (!f->single)
+        return fmb_bound_rounded(most);
+    lane found = lane_fma(lane_of(h), f->found_shift, f->found_size);
+    return fmb_bound_of(f, most, lane_fma(lane_of(n), f->found_e, found + f->found_drift));
 }
 
 /* Of E. */
 FMB_INLINE fmb_bound fmb_bound_of_edges(const local_frame *f)
 {
-    return (fmb_bound){f->most_e, f->single ? f->found_e : lane_of(0), f->most_e};
+    return f->single ? fmb_bound_of(f, f->most_e, f->found_e) : fmb_bound_rounded(f->most_e);
 }
 
 /* Of V, as a factor: the drift may be so small that products with it underflow, so 2^-100 E more.
@@ -78,35 +83,31 @@ FMB_INLINE fmb_bound fmb_bound_of_edges(const local_frame *f)
 FMB_INLINE fmb_bound fmb_bound_of_speed(const local_frame *f)
 {
     const lane most = lane_fma(lane_of(0x1p-100), f->most_e, f->most_drift);
-    return (fmb_bound){most, f->single ? f->found_drift : lane_of(0), most};
+    return f->single ? fmb_bound_of(f, most, f->found_drift) : fmb_bound_rounded(most);
 }
 
 /* count u times the bound, and times times what it is off by */
-FMB_INLINE lane fmb_gaps_error(const fmb_gaps *x, double count, double times, fmb_bound bound)
+FMB_INLINE lane fmb_gaps_error(double count, double times, fmb_bound bound)
 {
     lane error = lane_of(count * 0x1p-53) * bound.most;
-    if (x->single)
-        error = lane_fma(lane_of(times) * x->input_error, bound.off, error);
+    if (bound.single)
+        error = lane_fma(lane_of(times), bound.off, error);
     return error;
 }
 
 /* Add a class whose largest gap has an error of at most that. */
 FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, double times, fmb_bound bound)
 {
-    lane error = fmb_gaps_error(x, count, times, bound);
+    lane error = fmb_gaps_error(count, times, bound);
     x->apart = lane_max(x->apart, gap - error);
     x->meet = lane_max(x->meet, gap + error);
 }
 
 /* The first class there is. */
-FMB_INLINE fmb_gaps fmb_gaps_first(const local_frame *f, lane gap, double count, double times,
-                                   fmb_bound bound)
+FMB_INLINE fmb_gaps fmb_gaps_first(lane gap, double count, double times, fmb_bound bound)
 {
-    fmb_gaps out = {gap, gap, f->single, f->single ? f->input_error : lane_of(0)};
-    lane error = fmb_gaps_error(&out, count, times, bound);
-    out.apart = gap - error;
-    out.meet = gap + error;
-    return out;
+    lane error = fmb_gaps_error(count, times, bound);
+    return (fmb_gaps){gap - error, gap + error};
 }
 
 /* The largest of gaps 0 ... i of a class, given that of those before. Numbers are constant where
@@ -120,7 +121,7 @@ FMB_INLINE lane fmb_gaps_largest(int i, lane before, lane gap)
 FMB_INLINE void fmb_gaps_certain(fmb_gaps *x, lane size, double count, double times,
                                  fmb_bound bound)
 {
-    x->meet = lane_max(x->meet, fmb_gaps_error(x, count, times, bound) - size);
+    x->meet = lane_max(x->meet, fmb_gaps_error(count, times, bound) - size);
 }
 
 /* Are all lanes apart already? Then no other row needs to be tested. */

@@ -86,8 +86,8 @@ FMB_INLINE void fmb_simplices_make(fmb_kind kind, const local_frame *f, fmb_simp
             sum = sum + f->drift[i];
         c->middle[i] = c->start[i] + sum;
     }
-    c->bound = fmb_bound_of(f, 1, 1);
-    c->more = fmb_bound_of(f, 1, 3);
+    c->bound = fmb_bound_of_sum(f, 1, 1);
+    c->more = fmb_bound_of_sum(f, 1, 3);
 }
 
 /* A's rows: the largest gap. */
@@ -228,21 +228,21 @@ FMB_INLINE void fmb_simplices_ask(fmb_kind kind, const local_frame *f, fmb_simpl
     const fmb_bound e = fmb_bound_of_edges(f);
     fmb_bound power = e; /* E^(D - 1) */
     if (kind.dim == 3)
-        power = fmb_bound_times(f, power, e);
+        power = fmb_bound_times(power, e);
     if (kind.dim == 2 && !kind.simplex) {
         fmb_gaps_class(gaps, fmb_simplices_strips(kind, c), 200, 0,
-                       fmb_bound_times(f, power, c->more));
+                       fmb_bound_times(power, c->more));
         return;
     }
     fmb_simplices_rows(kind, c);
     if (!kind.simplex) {
         fmb_gaps_class(gaps, fmb_simplices_slabs(kind, c), 1260, 36,
-                       fmb_bound_times(f, power, c->more));
+                       fmb_bound_times(power, c->more));
         return;
     }
     fmb_gaps_class(gaps, fmb_simplices_sides(kind, c), kind.dim == 3 ? 1210 : 100, 18,
-                   fmb_bound_times(f, power, c->bound));
-    fmb_gaps_certain(gaps, lane_abs(c->det), 150, 6, fmb_bound_times(f, power, e));
+                   fmb_bound_times(power, c->bound));
+    fmb_gaps_certain(gaps, lane_abs(c->det), 150, 6, fmb_bound_times(power, e));
 }
 
 /* ---- in space: a direction eliminated -------------------------------------------------------- */
@@ -408,14 +408,14 @@ FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool 
     local_frame_make(3, moves, simplex, single, block, &f);
     fmb_simplices c;
     fmb_simplices_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(&f, fmb_simplices_faces(kind, &c), 52, 4, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(fmb_simplices_faces(kind, &c), 52, 4, c.bound);
     fmb_pair_bits out;
     if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_simplices_ask(kind, &f, &c, &gaps);
     if (fmb_gaps_done(&gaps, f.known, &out) || asked == FMB_ASK_FACES)
         return out;
-    const fmb_bound e_bound = fmb_bound_times(&f, fmb_bound_of_edges(&f), c.more);
+    const fmb_bound e_bound = fmb_bound_times(fmb_bound_of_edges(&f), c.more);
     lane most = lane_of(0), swept = most;
 #pragma GCC unroll 6
     for (int edge = 0; edge < edges; edge++) {
@@ -426,9 +426,9 @@ FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool 
     fmb_gaps_class(&gaps, most, 500, simplex ? 20 : 8, e_bound);
     if (moves) {
         const fmb_bound speed = fmb_bound_of_speed(&f);
-        fmb_gaps_class(&gaps, swept, 220, simplex ? 10 : 4, fmb_bound_times(&f, speed, c.more));
+        fmb_gaps_class(&gaps, swept, 220, simplex ? 10 : 4, fmb_bound_times(speed, c.more));
         fmb_gaps_class(&gaps, fmb_simplices_times(kind, &c), 1140, simplex ? 40 : 24,
-                       fmb_bound_times(&f, speed, e_bound));
+                       fmb_bound_times(speed, e_bound));
     }
     return fmb_gaps_bits(&gaps, f.known);
 }
@@ -461,11 +461,11 @@ FMB_INLINE fmb_pair_bits fmb_simplices_2d(const double *block, bool moves, bool 
     local_frame_make(2, moves, simplex, false, block, &f);
     fmb_simplices c;
     fmb_simplices_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_first(&f, fmb_simplices_faces(kind, &c), 52, 4, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(fmb_simplices_faces(kind, &c), 52, 4, c.bound);
     fmb_simplices_ask(kind, &f, &c, &gaps);
     if (moves)
         fmb_gaps_class(&gaps, fmb_simplices_turned(kind, &c), simplex ? 50 : 410, 0,
-                       fmb_bound_times(&f, fmb_bound_of_speed(&f), c.bound));
+                       fmb_bound_times(fmb_bound_of_speed(&f), c.bound));
     return fmb_gaps_bits(&gaps, f.known);
 }
 
