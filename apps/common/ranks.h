@@ -17,7 +17,11 @@
 int app_ranks_begin(size_t counters);
 /* End the work; called by all ranks. */
 void app_ranks_end(void);
-/* An error of this rank alone: ends every rank. Returns the code if there is only one rank. */
+/* The exit code of rank 0, on all ranks, before work that one of them cannot begin: each returns it
+ * in good order. Called by all ranks. */
+int app_ranks_agree(int code);
+/* An error of this rank alone, of which the others cannot know: ends every rank at once, as does
+ * MPI_Abort. Returns the code if there is only one rank. */
 int app_ranks_fail(int code);
 
 int app_rank(void);

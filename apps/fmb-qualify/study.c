@@ -112,9 +112,7 @@ static qualify_page *open_page(const qualify_setup *o)
 /* Tells all ranks whether rank 0 could make its folder. */
 static bool is_page_of_rank_0_good(const qualify_page *page)
 {
-    bool good = qualify_page_is_good(page);
-    app_ranks_share(&good, sizeof good);
-    return good;
+    return app_ranks_agree(qualify_page_is_good(page) ? APP_YES : APP_CANNOT_WRITE) == APP_YES;
 }
 
 static int run_study(const qualify_study *s, const qualify_setup *asked,

@@ -79,7 +79,6 @@ static int run(validate_plan *p, const files *f)
     int code = p->merge ? validate_merge(p) : ask_pairs(p);
     if (code == APP_YES)
         code = report(p, f);
-    validate_clear(p);
     return code;
 }
 
@@ -87,19 +86,18 @@ static int run(validate_plan *p, const files *f)
 static int answer(validate_plan *p)
 {
     files f = {NULL, NULL};
-    int code = open_files(p, &f);
+    int code = app_ranks_agree(open_files(p, &f));
     if (code == APP_YES)
         code = run(p, &f);
-    else
-        app_ranks_fail(code);
     return app_first_code(close_files(p, &f), code);
 }
 
 /* Any other rank. */
 static int help(validate_plan *p)
 {
-    int code = p->merge ? APP_YES : ask_pairs(p);
-    validate_clear(p);
+    int code = APP_YES;
+    if (app_ranks_agree(code) == APP_YES && !p->merge)
+        code = ask_pairs(p);
     return code;
 }
 
@@ -121,6 +119,7 @@ int main(int argc, char **argv)
     if (code != APP_YES)
         return code;
     code = app_rank() == 0 ? answer(&plan) : help(&plan);
+    validate_clear(&plan);
     app_ranks_end();
     return code;
 }

@@ -132,10 +132,10 @@ static int begin(const order_to_run *o, const qualify_experiment *e, bool *done,
         code = qualify_state_read(e, o->out, done, &end);
     if (code == APP_YES && app_rank() == 0)
         code = open_results(o->out, end, f);
-    if (code != APP_YES)
-        return app_ranks_fail(code);
-    app_ranks_share(done, e->blocks * sizeof *done);
-    return APP_YES;
+    code = app_ranks_agree(code);
+    if (code == APP_YES)
+        app_ranks_share(done, e->blocks * sizeof *done);
+    return code;
 }
 
 static int run(const order_to_run *o, const qualify_experiment *e)
@@ -155,17 +155,21 @@ static int run(const order_to_run *o, const qualify_experiment *e)
     return code;
 }
 
-/* All ranks read the plan; only the first reports its errors. */
+/* All ranks read the plan: the first one before the others, that its errors are reported once. */
+static int read_plan(const order_to_run *o, qualify_experiment *e)
+{
+    int code = app_rank() == 0 ? qualify_experiment_read(o->plan, e) : APP_YES;
+    code = app_ranks_agree(code);
+    if (code != APP_YES || app_rank() == 0)
+        return code;
+    code = qualify_experiment_read(o->plan, e);
+    return code == APP_YES ? code : app_ranks_fail(code);
+}
+
 static int read_and_run(const order_to_run *o)
 {
     qualify_experiment e = {0};
-    bool good = true;
-    int code = app_rank() == 0 ? qualify_experiment_read(o->plan, &e) : APP_YES;
-    if (code != APP_YES)
-        app_ranks_fail(code);
-    app_ranks_share(&good, sizeof good);
-    if (app_rank() > 0)
-        code = qualify_experiment_read(o->plan, &e);
+    int code = read_plan(o, &e);
     if (code == APP_YES)
         code = run(o, &e);
     qualify_experiment_clear(&e);

@@ -146,9 +146,18 @@ def same_experiment(folder):
             out.write_bytes(alone.read_bytes()[:len(alone.read_bytes()) // 2])
         code, _, errors = finish(launch(ranks, qualify, "run", plan, "--out", out))
         expect(code == 0 and runs(out) == wanted, f"{ranks} ranks: other lines than one process; {code} {errors}")
+    refused(66, "plan.json: No such", "no plan", qualify, "run", folder / "none" / "plan.json")
+    refused(74, "none.csv", "no folder for results", qualify, "run", plan, "--out", folder / "none" / "none.csv")
+    refused(74, "none.json", "no folder for counts", validate, "2d-static", "--json", folder / "none" / "none.json")
     plan.write_text("{}}")
-    code, _, errors = finish(launch(2, qualify, "run", plan, "--out", folder / "none.csv"))
-    expect(code == 65 and errors.count("plan.json:1") == 1, f"a bad plan: {code} {errors}")
+    refused(65, "plan.json:1", "a bad plan", qualify, "run", plan, "--out", folder / "none.csv")
+
+
+def refused(wanted, said, what, *args):
+    """What cannot begin is told once, and all ranks end in good order."""
+    code, text, errors = finish(launch(2, *args))
+    expect(code == wanted and text == "" and errors.count(said) == 1, f"{what}: {code} {text} {errors}")
+    expect("MPI_ABORT" not in errors, f"{what}: some rank ended all others: {errors}")
 
 
 def killed_experiment(folder):
