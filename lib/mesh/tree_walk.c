@@ -19,28 +19,12 @@ static void list_cell(const fmb_mesh *m, const uint32_t *ids, uint32_t number, l
     out->plane = fmb_plane_of_cell(&out->cell);
 }
 
-/* Is a flat triangle beside the plane of another one, but for what they share? */
-static bool is_flat_and_beside(const listed_cell *flat, const listed_cell *other)
+/* Decide a flat triangle and one that is not. False: they are not that. */
+static bool decide_flat_one(const listed_cell *flat, const listed_cell *other, fmb_mesh_how *how)
 {
     return flat->faults == FMB_MESH_FLAT && !other->faults && flat->cell.corners == 3 &&
            other->cell.corners == 3 &&
-           fmb_triangle_is_beside(&other->plane, &flat->cell,
-                                  fmb_cell_common(&flat->cell, &other->cell));
-}
-
-/* Does a flat triangle, which is a segment, lie along an edge whose ends it shares with a cell that
- * is not flat? The line of the edge meets that cell in the edge alone. */
-static bool is_flat_along_edge(const listed_cell *flat, const listed_cell *other)
-{
-    const uint32_t *id = flat->cell.id;
-    if (flat->faults != FMB_MESH_FLAT || other->faults || flat->cell.corners != 3)
-        return false;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t p = id[k], q = id[(k + 1) % 3];
-        if (p != q && fmb_cell_has(&other->cell, p) && fmb_cell_has(&other->cell, q))
-            return true;
-    }
-    return false;
+           fmb_decide_segment(&flat->cell, &other->cell, &other->plane, how);
 }
 
 static fmb_status decide_cells(fmb_tree_walk *x, const listed_cell *a, const listed_cell *b,
@@ -56,14 +40,8 @@ static fmb_status decide_cells(fmb_tree_walk *x, const listed_cell *a, const lis
         *how = fmb_decide_tetrahedra(p, q, shared);
     if (alike && (p->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
         return FMB_OK;
-    if (!x->plan->o->motion && (is_flat_and_beside(a, b) || is_flat_and_beside(b, a))) {
-        *how = shared > 0 ? FMB_MESH_SHARE : FMB_MESH_APART;
+    if (!x->plan->o->motion && (decide_flat_one(a, b, how) || decide_flat_one(b, a, how)))
         return FMB_OK;
-    }
-    if (!x->plan->o->motion && (is_flat_along_edge(a, b) || is_flat_along_edge(b, a))) {
-        *how = FMB_MESH_SHARE;
-        return FMB_OK;
-    }
     x->out.framed++;
     FMB_TRY(fmb_run_poll_now(&x->run));
     return fmb_mesh_decide_frames(&x->frames, p, q, (b->faults & FMB_MESH_FLAT) != 0, how);

@@ -62,9 +62,10 @@ static inline fmb_triangle_plane fmb_plane_of_cell(const fmb_cell *c)
 /* Decide two triangles, tame and not flat; plane: of a; common: their fmb_cell_common. */
 fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_triangle_plane *plane,
                                   const fmb_cell *b, unsigned common);
-/* Are all corners of a tame triangle, flat or not, strictly on one side of a plane, but for those
- * in common with a triangle in it, not all? False, too, if doubles are not certain. */
-bool fmb_triangle_is_beside(const fmb_triangle_plane *h, const fmb_cell *c, unsigned common);
+/* Decide a tame triangle that is flat and one that is not, in a plane; CROSS, if the relative
+ * interiors meet. False: the flat one is a point. */
+bool fmb_decide_segment(const fmb_cell *flat, const fmb_cell *c, const fmb_triangle_plane *plane,
+                        fmb_mesh_how *out);
 /* Decide two tetrahedra with so many shared corners, tame and not flat. If shared > 0, the result
  * FMB_MESH_TOUCH may stand for SHARE. */
 fmb_mesh_how fmb_decide_tetrahedra(const fmb_cell *a, const fmb_cell *b, int shared);

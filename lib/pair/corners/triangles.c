@@ -246,13 +246,6 @@ static bool are_others_on_one_side(const int side[3], int shared)
     return sum != 0 && (sum == 3 - shared || sum == shared - 3);
 }
 
-bool fmb_triangle_is_beside(const fmb_triangle_plane *h, const fmb_cell *c, unsigned common)
-{
-    int side[3];
-    find_certain_sides(h, c, common, side);
-    return are_others_on_one_side(side, fmb_cell_count(common));
-}
-
 /* ---- both ------------------------------------------------------------------------------------ */
 
 /* A cell strictly beside a plane but for shared corners meets a cell in the plane only in these. */

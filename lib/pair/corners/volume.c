@@ -128,11 +128,11 @@ static int sign_of_short_minor(const double u[2], const double v[2])
     return (more > 0) - (more < 0);
 }
 
-/* Differences of the numbers in files are almost always exact doubles. */
-int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double *r)
+/* The sign of coordinate k of the cross product of u and v. Differences of the numbers in files are
+ * almost always exact doubles. */
+static int exact_sign_of_minor(int k, fmb_difference u, fmb_difference v)
 {
     int i = (k + 1) % 3, j = (k + 2) % 3;
-    fmb_difference u = {q, p}, v = {r, p};
     linear us[2] = {exact_coordinate(u, i), exact_coordinate(u, j)};
     linear vs[2] = {exact_coordinate(v, i), exact_coordinate(v, j)};
     double minor[2 * QUADRATIC];
@@ -140,6 +140,49 @@ int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double
         return sign_of_short_minor((double[]){us[0].c[0], us[1].c[0]},
                                    (double[]){vs[0].c[0], vs[1].c[0]});
     return sign_of_expansion(minor, exact_minor(us, vs, minor));
+}
+
+int fmb_exact_sign_of_turn(int k, const double *p, const double *q, const double *r)
+{
+    return exact_sign_of_minor(k, (fmb_difference){q, p}, (fmb_difference){r, p});
+}
+
+/* ---- edges along an axis --------------------------------------------------------------------- */
+
+/* The axis along which u points, -1 if along none. */
+static int axis_along(fmb_difference u)
+{
+    bool same[3];
+    for (int j = 0; j < 3; j++)
+        same[j] = u.to[j] == u.from[j];
+    return same[1] && same[2] ? 0 : same[0] && same[2] ? 1 : same[0] && same[1] ? 2 : -1;
+}
+
+/* If u points along axis k, det(u, v, w) is its coordinate times coordinate k of v x w. */
+static bool find_sign_along_axis(fmb_difference u, fmb_difference v, fmb_difference w, int *sign)
+{
+    int k = axis_along(u);
+    if (k < 0)
+        return false;
+    *sign = (u.to[k] > u.from[k]) - (u.to[k] < u.from[k]);
+    *sign *= *sign != 0 ? exact_sign_of_minor(k, v, w) : 0;
+    return true;
+}
+
+/* In files planes that are parallel to an axis abound, with edges along it; determinants of points
+ * in them are 0. det(u, v, w) = det(u - v, v, w) = det(v, w, u). */
+static bool find_sign_by_edge_along_axis(fmb_difference u, fmb_difference v, fmb_difference w,
+                                         int *sign)
+{
+    const fmb_difference row[3] = {u, v, w};
+    for (int i = 0; i < 3; i++) {
+        const fmb_difference first = row[i], next = row[(i + 1) % 3], last = row[(i + 2) % 3];
+        if (find_sign_along_axis(first, next, last, sign) ||
+            (first.from == next.from &&
+             find_sign_along_axis((fmb_difference){first.to, next.to}, next, last, sign)))
+            return true;
+    }
+    return false;
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
@@ -178,6 +221,9 @@ static double fine_determinant(fmb_difference u, fmb_difference v, fmb_differenc
 FMB_NEVER_CLONED static int fine_sign(fmb_difference u, fmb_difference v, fmb_difference w,
                                       double sum)
 {
+    int sign;
+    if (find_sign_by_edge_along_axis(u, v, w, &sign))
+        return sign;
     double rest, det = fine_determinant(u, v, w, &rest);
     bool told = rest == 0 || fabs(det) > 0x1p-99 * sum;
     return told ? (det > 0) - (det < 0) : exact_sign(u, v, w);
