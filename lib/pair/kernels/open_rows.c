@@ -9,11 +9,12 @@
  * not certain, the lowest words of n (one corner - another); likewise for the sign of the gap. This
  * requires errors of doubles, not all numbers, to be less than a quarter of the range of the words.
  *
- * Errors (normal.h): with p the product of the D - 1 largest of all a_i and a the largest, b that
- * of the shift, n times an edge is off by m_D u D! p a, and by that twice and a rounding between
- * corners of a simplex, which is twice as large; the gap, a sum of at most 2 D + 1 edges and the
- * shift, by (m_D + 2 D + 2) u D! p ((2 D + 1) a finer + b), and (2 D + 3) m_D is more than that.
- * Edges of a simplex are differences of its axes, twice as large.
+ * Errors (normal.h): with a_i bounds of the vectors of all faces, p the product of the D - 1
+ * largest of all a_i and a the largest, b that of the shift, n times an edge is off by m_D u D! p
+ * a, and by that twice and a rounding between corners of a simplex, which is twice as large; the
+ * gap, a sum of at most 2 D + 1 edges and the shift, by (m_D + 2 D + 2) u D! p ((2 D + 1) a finer +
+ * b), and (2 D + 3) m_D is more than that. Vectors of a simplex lead from one of its corners to
+ * others: each may be as large as the corner at its end and the largest corner of all together.
  *
  * If faces touch, many rows have the same n, and if edges are parallel, many have n = 0. So a row
  * is settled if its faces lie in those perpendicular to an n decided before (its own n is then that
@@ -60,16 +61,26 @@ static bool is_settled(const decider *d, whole_faces f)
 
 /* ---- directions ------------------------------------------------------------------------------ */
 
+/* List bounds of the vectors of a body, returning how many. None of a simplex leads to its first
+ * corner, which is 0. */
+static int list_sizes(const whole_body *b, double *size)
+{
+    double most = 0;
+    for (int i = 0; b->simplex && i < b->n; i++)
+        most = fmax(most, b->edge[i].most);
+    for (int i = b->simplex; i < b->n; i++)
+        *size++ = b->edge[i].most + most;
+    return b->n - b->simplex;
+}
+
 /* Set the error bounds, and the number of words. False: too many. */
 static bool begin_normal(decider *d)
 {
     const whole_pair *p = &d->pair;
     const int dim = p->dim;
     double left[2 * NORMAL_MOST_DIM + 2], product = 1, a = 0;
-    int n = 0;
-    for (int k = 0; k < 2; k++)
-        for (int i = 0; i < p->body[k].n; i++)
-            left[n++] = p->body[k].edge[i].most * (p->body[k].simplex ? 2 : 1);
+    int n = list_sizes(&p->body[0], left);
+    n += list_sizes(&p->body[1], left + n);
     for (int i = 0; i < dim - 1; i++) {
         int best = 0;
         for (int j = 1; j < n; j++)

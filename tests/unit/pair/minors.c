@@ -130,7 +130,8 @@ typedef enum twist {
     AS_DRAWN,
     ALIGNED, /* above */
     NUDGED,  /* a number of B's origin becomes the next double, up or down */
-    SCALED   /* all numbers are times a power of two */
+    SCALED,  /* all numbers are times a power of two */
+    NEEDLE   /* B becomes a simplex with a far corner, whose facet touches A's origin */
 } twist;
 
 static void scale(const fmb_frame *f, double *number, double by)
@@ -143,10 +144,66 @@ static void scale(const fmb_frame *f, double *number, double by)
             part[i][j] *= by;
 }
 
+static double draw_whole(uint64_t *state, int most)
+{
+    return (double)(study_splitmix.get(state) % (2 * (unsigned)most + 1)) - most;
+}
+
+/* Axis of A: x, or -x, beyond the plane perpendicular to n, or of B's facet: x made perpendicular
+ * to n, times `by`. All numbers are whole. */
+static void draw_beyond(uint64_t *state, int dim, const double *n, double *x)
+{
+    double along = 0;
+    for (int j = 0; j < dim; j++)
+        along += n[j] * (x[j] = draw_whole(state, 40));
+    for (int j = 0; j < dim; j++)
+        x[j] *= along < 0 ? -1 : 1;
+}
+/* One that is perpendicular to n, a multiple of `by`. */
+static void draw_level(uint64_t *state, int dim, const double *n, double by, double *x)
+{
+    double along = 0, nn = 0;
+    for (int j = 0; j < dim; j++) {
+        along += n[j] * (x[j] = draw_whole(state, 40));
+        nn += n[j] * n[j];
+    }
+    for (int j = 0; j < dim; j++)
+        x[j] = (nn * x[j] - along * n[j]) * by;
+}
+
+/* The facet is opposite to B's origin, below which it lies along n; A's axes point upwards. */
+static void make_needle(uint64_t i, study_pair *p)
+{
+    const int dim = p->p.dim;
+    double *a = p->number[0], *b = p->number[1], n[STUDY_PAIR_MOST_DIM], to[STUDY_PAIR_MOST_DIM];
+    uint64_t state;
+    int left = 16;
+    study_splitmix.set(&state, i);
+    for (int j = 0; j < dim; j++)
+        n[j] = draw_whole(&state, 3) + (j == 0 ? 4 : 0);
+    for (int j = 0; j < dim; j++)
+        a[j] = b[j] = draw_whole(&state, 1000);
+    draw_beyond(&state, dim, n, to);
+    for (int k = 0; k < dim; k++) {
+        double *axis = b + dim * (k + 1);
+        const int part =
+            k == dim - 1 ? left : (int)(study_splitmix.get(&state) % (unsigned)(left + 1));
+        left -= part;
+        draw_beyond(&state, dim, n, a + dim * (k + 1));
+        draw_level(&state, dim, n, k == 0 ? 0x1p20 : 1, axis);
+        for (int j = 0; j < dim; j++) {
+            axis[j] += to[j];
+            a[j] += part / 16.0 * axis[j];
+        }
+    }
+}
+
 static void change(twist how, uint64_t i, study_pair *p)
 {
     const int dim = p->p.dim, j = (int)(i * 7 % (uint64_t)dim);
     double *number = p->number[1] + (p->q.origin - p->number[1]) + j;
+    if (how == NEEDLE)
+        make_needle(i, p);
     if (how == NUDGED)
         *number = nextafter(*number, i % 2 ? INFINITY : -INFINITY);
     for (int f = 0; f < 2; f++) {
@@ -278,6 +335,24 @@ Test(minors, touching)
                               (simplices ? 2 * sure > d.n : 10 * sure >= 9 * d.n),
                           "%dD %d: %zu of %zu", dim, kind, sure, d.n);
             }
+        }
+}
+
+/* Vectors between a far corner and the others are all long, whatever their ends are. */
+Test(minors, far_corners)
+{
+    static drawn d;
+    kernel_table table[4];
+    size_t tables = find_tables(table);
+    for (int dim = FMB_MINORS_LEAST_DIM; dim <= 6; dim++)
+        for (int kind = 0; kind < 4; kind++) {
+            const fmb_minors_what what = kind < 2 ? FMB_MINORS_SIMPLICES : FMB_MINORS_MIXED;
+            draw(STUDY_PAIR_ARTICLE, NEEDLE, dim, what, (fmb_contact)(kind % 2), PAIRS, &d);
+            cr_expect_gt(d.n, PAIRS / 2u);
+            for (size_t i = 0; i < d.n; i++)
+                cr_expect_eq(d.is[i], kind % 2 ? FMB_INFEASIBLE : FMB_FEASIBLE);
+            for (size_t t = 0; t < tables; t++)
+                check(table[t].kernels, &d);
         }
 }
 
