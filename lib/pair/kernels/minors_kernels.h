@@ -7,9 +7,11 @@
  *     D            axes, D D           D (D + 2)    inverse, D D, row by row
  *     2 D (D + 1)  reach, D            D (2 D + 3)  size, whole, grain, units
  *
- * and zeros up to a multiple of eight numbers. inverse times (point - origin) gives the coordinates
- * of a point along the axes; reach bounds the sum of the absolute values of each row of it, size
- * the numbers of the axes. Exact definitions, and which frames have records: kernels/inverse.h.
+ * and zeros up to a multiple of eight numbers. The determinant of the axes is positive: where that
+ * of the frame's is not, two of them are exchanged. inverse times (point - origin) gives the
+ * coordinates of a point along the axes; reach bounds the sum of the absolute values of each row of
+ * it, size the numbers of the axes. Exact definitions, and which frames have records:
+ * kernels/inverse.h.
  */
 #ifndef FMB_PAIR_KERNELS_MINORS_KERNELS_H
 #define FMB_PAIR_KERNELS_MINORS_KERNELS_H
@@ -89,7 +91,7 @@ static inline bool fmb_minors_decide(int dim, fmb_minors_what what)
  * aligned to 64 bytes. */
 typedef struct fmb_minor_kernels {
     /* Fill in inverse, reach and size of n records, at most as many as there are lanes, from
-     * origin, axes and speed, and in place of `whole` the approximate absolute value of the
+     * origin, axes (whose order may change) and speed, and in place of `whole` the approximate
      * determinant of the axes over the least greater power of two of the size. Returns bits of the
      * good records: a frame that is flat, or so slender or large that no inverse is certain, has
      * none, or one whose numbers are not finite. */

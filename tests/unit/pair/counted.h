@@ -174,6 +174,10 @@ FMB_INLINE lane lane_shift_right(lane a, int)
     return a;
 }
 
+FMB_INLINE lane lane_with_sign(lane a, lane, int)
+{
+    return a;
+}
 FMB_INLINE lane lane_or_and(lane a, lane, lane)
 {
     return a;

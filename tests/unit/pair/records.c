@@ -3,6 +3,7 @@
 #include <criterion/criterion.h>
 #include <gmp.h>
 #include <math.h>
+#include <string.h>
 
 #include "study/draw/pairs.h"
 #include "tables.h"
@@ -13,15 +14,18 @@ enum { MOST = FMB_MINORS_MOST_DIM, NUMBERS = FMB_MINORS_MOST_RECORD };
 
 typedef mpq_t rows[MOST][2 * MOST];
 
-/* Gauss and Jordan: [A | 1] becomes [1 | inverse of A], and A is regular. */
-static void invert(int dim, rows x)
+/* Gauss and Jordan: [A | 1] becomes [1 | inverse of A], and A is regular. Returns the sign of its
+ * determinant. */
+static int invert(int dim, rows x)
 {
+    int sign = 1;
     mpq_t t;
     mpq_init(t);
     for (int c = 0; c < dim; c++) {
         int p = c;
         while (mpq_sgn(x[p][c]) == 0)
             p++;
+        sign *= (p == c ? 1 : -1) * mpq_sgn(x[p][c]);
         for (int j = 0; j < 2 * dim; j++)
             mpq_swap(x[p][j], x[c][j]);
         for (int j = 2 * dim - 1; j >= c; j--)
@@ -33,6 +37,17 @@ static void invert(int dim, rows x)
             }
     }
     mpq_clear(t);
+    return sign;
+}
+
+/* Are these the axes of the frame, perhaps with the first two exchanged? */
+static bool are_axes(const fmb_frame *f, const double *axes)
+{
+    const size_t axis = (size_t)f->dim * sizeof *axes;
+    const bool turned = memcmp(axes, f->axes, axis) != 0;
+    return memcmp(axes + (turned ? f->dim : 0), f->axes, axis) == 0 &&
+           memcmp(axes + (turned ? 0 : f->dim), f->axes + f->dim, axis) == 0 &&
+           memcmp(axes + 2 * f->dim, f->axes + 2 * f->dim, (size_t)(f->dim - 2) * axis) == 0;
 }
 
 /* Is x a multiple of that power of two? */
@@ -80,7 +95,8 @@ static void expect_units(const fmb_frame *f, double both)
 static void expect_inverse(const fmb_frame *f, const double *record)
 {
     const int dim = f->dim;
-    const double *inverse = record + dim * (dim + 2), *reach = record + 2 * dim * (dim + 1);
+    const double *axes = record + dim, *inverse = record + dim * (dim + 2),
+                 *reach = record + 2 * dim * (dim + 1);
     const double *more = record + dim * (2 * dim + 3) + 1;
     rows x;
     mpq_t off;
@@ -91,9 +107,10 @@ static void expect_inverse(const fmb_frame *f, const double *record)
     for (int r = 0; r < dim; r++)
         for (int c = 0; c < 2 * dim; c++) {
             mpq_init(x[r][c]);
-            mpq_set_d(x[r][c], c < dim ? f->axes[c * dim + r] : c - dim == r);
+            mpq_set_d(x[r][c], c < dim ? axes[c * dim + r] : c - dim == r);
         }
-    invert(dim, x);
+    cr_expect(are_axes(f, axes));
+    cr_expect_eq(invert(dim, x), 1);
     for (int r = 0; r < dim; r++) {
         double error = 0, sum[2] = {0, 0};
         for (int j = 0; j < dim; j++) {

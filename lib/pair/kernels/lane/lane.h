@@ -91,6 +91,13 @@ FMB_INLINE lane lane_max_where(lane_mask m, lane a, lane b)
 {
     return _mm512_mask_max_pd(a, m, a, b);
 }
+/* a, whose bit `place` is 0, with the sign bit of b there. */
+FMB_INLINE lane lane_with_sign(lane a, lane b, int place)
+{
+    const __m512i all = _mm512_srai_epi64(_mm512_castpd_si512(b), 63);
+    return LANE_TERNARY(a, _mm512_castsi512_pd(all),
+                        _mm512_castsi512_pd(_mm512_set1_epi64((int64_t)1 << place)), 0xf8);
+}
 #elif FMB_LANES == 4
 #include <immintrin.h>
 typedef __m256d lane;
@@ -329,6 +336,10 @@ FMB_INLINE lane lane_min_abs(lane a, lane b)
 FMB_INLINE lane lane_max_where(lane_mask m, lane a, lane b)
 {
     return lane_max(a, lane_pick(m, b, a));
+}
+FMB_INLINE lane lane_with_sign(lane a, lane b, int place)
+{
+    return LANE_OF_WORD(LANE_WORD(a) | (LANE_WORD(b) >> 63) << place);
 }
 #endif
 

@@ -115,14 +115,15 @@ FMB_INLINE lane minors_largest_gap(minors_kind d, const minors_view *v, int k, m
 
 /* The rows of k columns in one set of coordinates; minors that are kept go to `made`. */
 FMB_INLINE void minors_hear_rows(minors_kind d, const minors_view *v, int k, minors_part part,
-                                 unsigned set, lane *made, minors_said *said)
+                                 unsigned set, minors_complements *turned, lane *made,
+                                 minors_said *said)
 {
     minors_rows rows;
     lane own[75]; /* choose(8, 4), and what stands behind */
     lane *to = part == MINORS_KEPT ? made : own;
     minors_find_rows(d, v, k, set, &rows);
     if (d.simplices) {
-        minors_test_rows(d, v, k, part, &rows, to, said);
+        minors_test_rows(d, v, k, part, &rows, minors_find_target(d, k, set, turned), to, said);
         return;
     }
     minors_make(d, v, k, part, &rows, to);
@@ -130,11 +131,11 @@ FMB_INLINE void minors_hear_rows(minors_kind d, const minors_view *v, int k, min
     minors_hear(said, minors_largest_gap(d, v, k, part, &rows, to), error);
 }
 
-/* The rows of k columns. True: all lanes are apart. For four columns the loop is fully unrolled,
- * and minors stay in registers; for more that would not fit the instruction cache.
- */
+/* The rows of k columns; of simplices signs are put to `turned`, too, unless that is NULL. True:
+ * all lanes are apart. For four columns the loop is fully unrolled, and minors stay in registers;
+ * for more that would not fit the instruction cache. */
 FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part part,
-                             minors_said *said)
+                             minors_complements *turned, minors_said *said)
 {
     const int kept = part == MINORS_KEPT ? minors_stride(d, k + 1) : 0;
     const unsigned first = (2U << k) - 1, end = 1U << minors_count_rows(d);
@@ -143,14 +144,14 @@ FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part p
 #pragma GCC unroll 16
         for (unsigned set = first; set < 16; set++)
             if (fmb_minors_count(set) == k + 1) {
-                minors_hear_rows(d, v, k, part, set, made, said);
+                minors_hear_rows(d, v, k, part, set, turned, made, said);
                 made += kept;
             }
         if (minors_all_apart(said))
             return true;
     } else {
         for (unsigned set = first; set < end; set = minors_next_set(set)) {
-            minors_hear_rows(d, v, k, part, set, made, said);
+            minors_hear_rows(d, v, k, part, set, turned, made, said);
             if (minors_all_apart(said))
                 return true;
             made += kept;
@@ -246,7 +247,7 @@ FMB_INLINE unsigned minors_levels_from_simplex(minors_kind d, minors_view *v, in
     unsigned open = 0;
 #pragma GCC unroll 4
     for (int k = 1; k <= last; k++) {
-        if (minors_level(d, v, k, minors_part_from_simplex(d, k), said))
+        if (minors_level(d, v, k, minors_part_from_simplex(d, k), NULL, said))
             return 0;
         if (k < last && (open = minors_few_open(said, few)) != 0)
             return open;
@@ -254,27 +255,47 @@ FMB_INLINE unsigned minors_levels_from_simplex(minors_kind d, minors_view *v, in
     return 0;
 }
 
+/* The last levels of both sides, of two simplices at rest: minors of B's view, which are smaller,
+ * tell A's. */
+FMB_INLINE void minors_last_levels(minors_kind d, minors_view v[2], minors_said *said)
+{
+    const int of_a = (d.n - 1) / 2, of_b = (d.n - 2) / 2;
+    minors_complements turned;
+    minors_no_complements(d, of_a, &turned);
+    if (minors_level(d, &v[1], of_b, MINORS_LAST, &turned, said))
+        return;
+    for (unsigned set = (2U << of_a) - 1; set < 1U << d.n && !minors_all_apart(said);
+         set = minors_next_set(set)) {
+        minors_rows rows;
+        minors_find_rows(d, &v[0], of_a, set, &rows);
+        minors_test_complements(d, of_a, of_b, set, &rows, &turned, said);
+    }
+}
+
 /* All rows except faces. Levels that both sides need are compiled once, where that is no loss: see
  * minors_level. Returns the lanes that are open where it stops as these are few, else 0. */
 FMB_INLINE unsigned minors_levels(minors_kind d, minors_view v[2], int few, minors_said *said)
 {
-    const int last = (d.n - 1) / 2;
+    const bool turns = d.simplices && !d.moves;
+    const int last = (d.n - 1) / 2 - turns, last_of_b = (d.n - 2) / 2 - turns;
     unsigned open = 0;
 #pragma GCC unroll 3
     for (int k = 1; k <= last; k++) {
-        const bool both = k <= (d.n - 2) / 2;
+        const bool both = k <= last_of_b;
         const minors_part part[2] = {minors_part_of(d, 0, k), minors_part_of(d, 1, k)};
         if (both && part[0] == part[1] && d.n > 4) {
             for (int side = 0; side < 2; side++)
-                if (minors_level(d, &v[side], k, part[0], said))
+                if (minors_level(d, &v[side], k, part[0], NULL, said))
                     return 0;
-        } else if (minors_level(d, &v[0], k, part[0], said) ||
-                   (both && minors_level(d, &v[1], k, part[1], said))) {
+        } else if (minors_level(d, &v[0], k, part[0], NULL, said) ||
+                   (both && minors_level(d, &v[1], k, part[1], NULL, said))) {
             return 0;
         }
-        if (k < last && (open = minors_few_open(said, few)) != 0)
+        if (k < last + turns && (open = minors_few_open(said, few)) != 0)
             return open;
     }
+    if (turns)
+        minors_last_levels(d, v, said);
     return 0;
 }
 

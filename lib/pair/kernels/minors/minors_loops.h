@@ -191,7 +191,7 @@ static unsigned minors_invert(int dim, double *const *record, unsigned n)
         from[l] = record[l < n ? l : 0];
     minors_pack((begin + 3) / 4 * 4, from, x);
     unsigned good = minors_fill_records(dim, x) & ((1U << n) - 1);
-    for (int r = begin; r < end; r++) {
+    for (int r = dim; r < end; r++) {
         double row[FMB_LANES];
         lane_store(row, x[r]);
         for (unsigned l = 0; l < n; l++)

@@ -33,12 +33,15 @@
  * Signs: a minor has its columns in falling order, as minors_expand makes it, so (y M)_j has the
  * factor -1 for each column of S that is larger than j.
  *
+ * At rest the signs of the last level of B's view tell those of the last one of A's, which has
+ * larger minors: minors_complements.h.
+ *
  * Errors: docs/error-bounds.md, "Minors of simplices".
  */
 #ifndef FMB_PAIR_MINORS_SIGNS_H
 #define FMB_PAIR_MINORS_SIGNS_H
 
-#include "pair/kernels/minors/minors_rows.h"
+#include "pair/kernels/minors/minors_complements.h"
 
 /* Signs of minors as bits of words; sets of columns are appended in order. */
 typedef struct minors_signs {
@@ -79,7 +82,8 @@ FMB_INLINE unsigned minors_set(int k, int s)
 /* The minors of these rows, kept or not, and their signs; for MINORS_DRIFTED only those of sets
  * with the drift. */
 FMB_INLINE void minors_make_signs(minors_kind d, const minors_view *v, int k, minors_part part,
-                                  const minors_rows *rows, lane *to, minors_signs *signs)
+                                  const minors_rows *rows, minors_target target, lane *to,
+                                  minors_signs *signs)
 {
     lane factor[4];
 #pragma GCC unroll 8
@@ -93,6 +97,8 @@ FMB_INLINE void minors_make_signs(minors_kind d, const minors_view *v, int k, mi
             if (part == MINORS_KEPT)
                 to[fmb_minors_choose(j, k + 1) + s] = minor;
             minors_put_sign(signs, minors_set(k, s), j, minor);
+            if (target.of)
+                minors_put_complement(d, target, minors_set(k, s) | 1U << j, minor);
         }
     }
 }
@@ -137,26 +143,61 @@ FMB_INLINE uint64_t minors_tested(minors_kind d, int k, minors_part part, int w)
     return part == MINORS_DRIFTED && d.n <= 6 ? sets & ~FMB_MINORS_WITHOUT[d.n - 1] : sets;
 }
 
-/* The tests of k columns in these rows. */
-FMB_INLINE void minors_test_rows(minors_kind d, const minors_view *v, int k, minors_part part,
-                                 const minors_rows *rows, lane *made, minors_said *said)
+/* Has any bit: a test of k columns in these rows has no wrong sign. */
+FMB_INLINE lane minors_passed(minors_kind d, int k, minors_part part, const minors_rows *rows,
+                              const minors_signs *signs)
 {
-    minors_signs signs = minors_no_signs();
     lane passed = lane_of(0);
-    minors_make_signs(d, v, k, part, rows, made, &signs);
-    minors_end_signs(d, &signs, made + fmb_minors_choose(d.n, k + 1));
 #pragma GCC unroll 4
     for (int w = 0; w < minors_words(d); w++)
         if (k >= fmb_minors_count((unsigned)w) && minors_tested(d, k, part, w))
             passed = lane_or_and_not(passed, lane_of_bits(minors_tested(d, k, part, w)),
-                                     minors_wrong(d, k, rows, &signs, w));
+                                     minors_wrong(d, k, rows, signs, w));
+    return passed;
+}
+
+/* Negative: the signs of the level before in these rows are certain. */
+FMB_INLINE lane minors_doubt(minors_kind d, int k, const minors_rows *rows)
+{
     lane doubt = rows->less[0][minors_stride(d, k) - 1];
 #pragma GCC unroll 4
     for (int i = 1; i <= k; i++)
         doubt = lane_max(doubt, rows->less[i][minors_stride(d, k) - 1]);
-    made[minors_stride(d, k + 1) - 1] =
-        minors_hear_signs(said, signs.least, lane_any_bit(passed),
-                          lane_of(minors_sign_error(d, k) * 0x1p-53) * rows->g, doubt);
+    return doubt;
+}
+
+/* The tests of k columns in these rows. */
+FMB_INLINE void minors_test_rows(minors_kind d, const minors_view *v, int k, minors_part part,
+                                 const minors_rows *rows, minors_target target, lane *made,
+                                 minors_said *said)
+{
+    minors_signs signs = minors_no_signs();
+    minors_make_signs(d, v, k, part, rows, target, made, &signs);
+    minors_end_signs(d, &signs, made + fmb_minors_choose(d.n, k + 1));
+    const lane passed = minors_passed(d, k, part, rows, &signs);
+    const lane doubt = made[minors_stride(d, k + 1) - 1] = minors_hear_signs(
+        said, signs.least, lane_any_bit(passed),
+        lane_of(minors_sign_error(d, k) * 0x1p-53) * rows->g, minors_doubt(d, k, rows));
+    if (target.of)
+        target.of->doubt = lane_max(target.of->doubt, doubt);
+}
+
+/* The tests of k columns in these rows by signs of minors of the other view, of level + 1 columns.
+ */
+FMB_INLINE void minors_test_complements(minors_kind d, int k, int level, unsigned set,
+                                        const minors_rows *rows, const minors_complements *of,
+                                        minors_said *said)
+{
+    const bool rising = (k * (k + 1) / 2 + level * (level + 1) / 2) % 2;
+    const uint64_t all =
+        minors_is_odd(d, k, set, minors_corners_of(d, set)) != rising ? UINT64_MAX : 0;
+    minors_signs signs = minors_no_signs();
+    for (int w = 0; w < minors_words(d); w++)
+        signs.word[w] = lane_xor_xor(of->word[FMB_MINORS_RANK[set] * minors_words(d) + w],
+                                     lane_of_bits(of->flip[w] ^ all), lane_of(0));
+    const lane passed = lane_any_bit(minors_passed(d, k, MINORS_LAST, rows, &signs));
+    const lane doubt = lane_max(of->doubt, minors_doubt(d, k, rows));
+    said->apart = lane_max_where(lane_negative(passed), said->apart, lane_of(0) - doubt);
 }
 
 /* The tests of single rows: are all corners of B beyond a face of A? */
