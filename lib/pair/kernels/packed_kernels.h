@@ -78,6 +78,7 @@ typedef struct fmb_packed_row {
     const double *record;
     const uint32_t *index;
     size_t n;
+    uint64_t open; /* in more than three dimensions: which eights are tested */
     bool moves;
     bool closed;  /* as above */
     bool swapped; /* `one` is B of the blocks */

@@ -12,6 +12,7 @@
 #include "pair/packed/bounds.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double SLACK = 0x1p-49; /* 16 u */
 
@@ -64,13 +65,32 @@ static size_t eight_of_place(const fmb_frames *s, size_t from)
     return s->first_eight[kind] + (from - s->first[kind]) / 8;
 }
 
+/* Of the eight frames g, in more than three dimensions: lower and upper ends by coordinate. */
+static double *ends_of_frames(const fmb_frames *s, size_t g)
+{
+    return s->ends + 16 * (size_t)s->dim * g;
+}
+
+/* NULL: no frame, beyond all boxes. */
+static void put_ends_of_frame(int dim, const fmb_bounds *box, double *ends)
+{
+    for (int j = 0; j < dim; j++) {
+        ends[16 * j] = box ? box->lower[j] : INFINITY;
+        ends[16 * j + 8] = box ? box->upper[j] : -INFINITY;
+    }
+}
+
 /* Frames order[from ... to - 1]. */
 static void put_bounds_of_eight(fmb_frames *s, size_t from, size_t to)
 {
     size_t g = eight_of_place(s, from);
+    for (size_t l = to - from; s->ends && l < 8; l++)
+        put_ends_of_frame(s->dim, NULL, ends_of_frames(s, g) + l);
     for (size_t i = from; i < to; i++) {
         fmb_bounds box;
         fmb_bounds_of_frame(s, s->order[i], &box);
+        if (s->ends)
+            put_ends_of_frame(s->dim, &box, ends_of_frames(s, g) + (i - from));
         for (int j = 0; j < s->dim; j++) {
             double *low = ends_of_eights(s, j) + g, *high = low + s->eights;
             *low = i == from || box.lower[j] < *low ? box.lower[j] : *low;
@@ -101,4 +121,25 @@ uint64_t fmb_bounds_open_eights(const fmb_frames *s, size_t from, size_t eights,
     for (size_t g = 0; g < eights; g++)
         open |= (uint64_t)!apart[g] << g;
     return open;
+}
+
+/* Two at a time, as any processor can. */
+bool fmb_bounds_are_beyond(const fmb_frames *s, size_t from, const fmb_bounds *box)
+{
+    typedef double two __attribute__((vector_size(16)));
+    typedef int64_t masks __attribute__((vector_size(16)));
+    const double *ends = ends_of_frames(s, eight_of_place(s, from));
+    masks beyond[4] = {{0}};
+    for (int j = 0; j < s->dim; j++, ends += 16) {
+        const two lower = {box->lower[j], box->lower[j]}, upper = {box->upper[j], box->upper[j]};
+        two low[4], high[4];
+        memcpy(low, ends, sizeof low);
+        memcpy(high, ends + 8, sizeof high);
+        for (int l = 0; l < 4; l++) {
+            beyond[l] |= (masks)(low[l] > upper);
+            beyond[l] |= (masks)(high[l] < lower);
+        }
+    }
+    const masks all = beyond[0] & beyond[1] & beyond[2] & beyond[3];
+    return all[0] & all[1];
 }

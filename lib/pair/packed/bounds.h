@@ -18,7 +18,7 @@ typedef struct fmb_bounds {
 /* The box of frame i, which has a record of a kind other than NONE. */
 void fmb_bounds_of_frame(const fmb_frames *s, size_t i, fmb_bounds *out);
 
-/* Fill s->bounds, once s->order is set. */
+/* Fill s->bounds and s->ends, once s->order is set. */
 void fmb_bounds_of_eights(fmb_frames *s);
 
 /* The most groups of eight in one call below. */
@@ -28,5 +28,9 @@ enum { FMB_BOUNDS_MOST = 64 };
  * of one kind. from is the first of that kind plus a multiple of eight. */
 uint64_t fmb_bounds_open_eights(const fmb_frames *s, size_t from, size_t eights,
                                 const fmb_bounds *box);
+
+/* Are the frames order[from ... from + 7] of s, from as above, in more than three dimensions, all
+ * beyond this box? */
+bool fmb_bounds_are_beyond(const fmb_frames *s, size_t from, const fmb_bounds *box);
 
 #endif

@@ -3,7 +3,9 @@
  * The frames of the second set are processed kind by kind, in chunks that stay in the first cache
  * as tiles of lanes while all frames of a band of the first set are tested against them. If a frame
  * does not meet the common box of eight frames, it is apart from them: no kernel runs, and no tile
- * is made. The results of a band are kept in bits, so that answers come in the order of numbers.
+ * is made. In four and more dimensions, where kernels take ten times as long as that, it is also
+ * compared with the boxes of single frames. The results of a band are kept in bits, so that answers
+ * come in the order of numbers.
  */
 #include <stdio.h>
 #include <string.h>
@@ -24,8 +26,9 @@ typedef struct chunk {
     const fmb_frames *set;
     size_t from, n;
     int kind;
-    uint64_t tiled; /* eights */
-    unsigned vain;  /* consecutive rows whose box excluded nothing */
+    uint64_t tiled;         /* eights */
+    unsigned vain;          /* consecutive rows whose box excluded nothing */
+    unsigned asked, spared; /* eights that were compared by the boxes of single frames */
     _Alignas(64) double tiles[CHUNK * 2 * FMB_RECORD_LINE];
 } chunk;
 
@@ -47,7 +50,7 @@ static size_t begin_chunk(const fmb_frames *s, size_t from, chunk *out)
     out->n = end - from;
     out->kind = kind;
     out->tiled = 0;
-    out->vain = 0;
+    out->vain = out->asked = out->spared = 0;
     return end;
 }
 
@@ -80,24 +83,62 @@ static void tile_eights(const fmb_pair *k, chunk *c, uint64_t wanted)
  * are in no spatial order, all boxes of eight meet. */
 enum { MOST_VAIN = 4 };
 
-/* Eights of a chunk that frame i of a may meet. */
-static uint64_t find_open_eights(const fmb_frames *a, size_t i, chunk *c)
+/* Eights of a chunk whose common boxes this one meets. */
+static uint64_t find_open_eights(chunk *c, const fmb_bounds *box)
 {
     const size_t eights = (c->n + 7) / 8;
     const uint64_t all = UINT64_MAX >> (64 - eights);
-    fmb_bounds box;
-    if (c->vain == MOST_VAIN)
-        return all;
-    fmb_bounds_of_frame(a, i, &box);
-    uint64_t open = fmb_bounds_open_eights(c->set, c->from, eights, &box);
-    c->vain = open == all ? c->vain + 1 : 0;
+    uint64_t open = all;
+    if (c->vain < MOST_VAIN) {
+        open = fmb_bounds_open_eights(c->set, c->from, eights, box);
+        c->vain = open == all ? c->vain + 1 : 0;
+    }
     return open;
 }
 
-/* Test frame i of a against the frames of a chunk whose boxes it may meet. After a cancel all are
- * undecided. */
-static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c,
-                      fmb_packed_bits out[EIGHTS])
+/* To compare takes a tenth of what a kernel takes at least. */
+static bool is_worth_comparing(const chunk *c)
+{
+    enum { TRIAL = 16, SHARE = 10 };
+    return c->asked < TRIAL || SHARE * c->spared >= c->asked;
+}
+
+/* The open eights with a frame that is not beyond the box. */
+static uint64_t compare_single_frames(chunk *c, const fmb_bounds *box, uint64_t open)
+{
+    for (uint64_t left = open; left && is_worth_comparing(c); left &= left - 1) {
+        const size_t g = (size_t)__builtin_ctzll(left);
+        const bool beyond = fmb_bounds_are_beyond(c->set, c->from + 8 * g, box);
+        c->asked++;
+        c->spared += beyond;
+        open &= ~((uint64_t)beyond << g);
+    }
+    return open;
+}
+
+/* Eights of a chunk that a frame with this box may meet, all of them as tiles. */
+static uint64_t open_eights(const fmb_pair *k, const fmb_bounds *box, chunk *c)
+{
+    uint64_t open = find_open_eights(c, box);
+    if (k->dim > 3)
+        open = compare_single_frames(c, box, open);
+    tile_eights(k, c, open & ~c->tiled);
+    return open;
+}
+
+/* The box of frame i, if that has a record. */
+static fmb_bounds bounds_of(const fmb_frames *a, size_t i)
+{
+    fmb_bounds out = {{0}, {0}};
+    if (a->kind[i] != FMB_KIND_NONE)
+        fmb_bounds_of_frame(a, i, &out);
+    return out;
+}
+
+/* Test frame i of a, with this box, against the frames of a chunk whose boxes it may meet. After a
+ * cancel all are undecided. */
+static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, const fmb_bounds *box,
+                      chunk *c, fmb_packed_bits out[EIGHTS])
 {
     fmb_packed_plan plan;
     bool known = !fmb_pair_is_cancelled(k) && fmb_packed_plan_of(k, a->kind[i], c->kind, &plan);
@@ -105,24 +146,26 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
         out[g] = (fmb_packed_bits){.apart = known ? 0xff : 0, .meet = 0};
     if (!known)
         return;
-    uint64_t open = find_open_eights(a, i, c);
-    tile_eights(k, c, open & ~c->tiled);
-    while (open) {
+    uint64_t open = open_eights(k, box, c);
+    fmb_packed_row row = {.one = fmb_frames_record(a, i),
+                          .tiles = c->tiles,
+                          .record = c->set->record,
+                          .index = c->set->order + c->from,
+                          .n = c->n,
+                          .open = open,
+                          .moves = plan.moves,
+                          .closed = k->options.contact == FMB_CONTACT_CLOSED,
+                          .swapped = plan.swapped,
+                          .shapes = plan.shapes,
+                          .kind = &plan.flat};
+    if (k->dim > 3 && open)
+        k->wide->minors->row(k->dim, plan.what, &row, k->room, out);
+    while (k->dim < 4 && open) {
         size_t count, g = take_run_of_eights(&open, &count);
-        const fmb_packed_row row = {.one = fmb_frames_record(a, i),
-                                    .tiles = c->tiles + 8 * g * c->set->stride,
-                                    .record = c->set->record,
-                                    .index = c->set->order + c->from + 8 * g,
-                                    .n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count,
-                                    .moves = plan.moves,
-                                    .closed = k->options.contact == FMB_CONTACT_CLOSED,
-                                    .swapped = plan.swapped,
-                                    .shapes = plan.shapes,
-                                    .kind = &plan.flat};
-        if (k->dim > 3)
-            k->wide->minors->row(k->dim, plan.what, &row, k->room, out + g);
-        else
-            k->wide->packed->row[k->dim - 2](&row, out + g);
+        row.tiles = c->tiles + 8 * g * c->set->stride;
+        row.index = c->set->order + c->from + 8 * g;
+        row.n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count;
+        k->wide->packed->row[k->dim - 2](&row, out + g);
     }
 }
 
@@ -166,12 +209,13 @@ fmb_status fmb_frames_test_row(fmb_pair *k, const fmb_frames *a, size_t i, const
         return FMB_ERR_ARG;
     }
     k->counts.pairs += b->n;
+    const fmb_bounds box = bounds_of(a, i);
     bool open = false;
     for (size_t from = 0; from < b->n;) {
         chunk c;
         fmb_packed_bits bits[EIGHTS];
         from = begin_chunk(b, from, &c);
-        ask_chunk(k, a, i, &c, bits);
+        ask_chunk(k, a, i, &box, &c, bits);
         open |= write_row_verdicts(&c, bits, verdict);
     }
     return open ? decide_open_row(k, a, i, b, verdict) : FMB_OK;
@@ -236,13 +280,16 @@ static void ask_band(const all_query *x, band *w)
 {
     void (*note)(const chunk *, const fmb_packed_bits *, uint64_t *, uint64_t *) =
         x->b->only >= 0 ? note_bytes_of_chunk : note_bits_of_chunk;
+    fmb_bounds box[BAND];
+    for (size_t r = 0; r < w->rows; r++)
+        box[r] = bounds_of(x->a, w->first + r);
     for (size_t from = 0; from < x->b->n && !fmb_pair_is_cancelled(w->k);) {
         chunk c;
         size_t end = begin_chunk(x->b, from, &c);
         bool counts = !x->within || x->b->order[end - 1] > w->first;
         for (size_t r = 0; counts && r < w->rows; r++) {
             fmb_packed_bits bits[EIGHTS];
-            ask_chunk(w->k, x->a, w->first + r, &c, bits);
+            ask_chunk(w->k, x->a, w->first + r, &box[r], &c, bits);
             note(&c, bits, w->meet + r * x->words, w->open + r * x->words);
         }
         from = end;

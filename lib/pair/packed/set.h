@@ -40,6 +40,8 @@ struct fmb_frames {
     uint32_t *order;             /* [n] frames by kind, then number */
     size_t first[FMB_KINDS + 1]; /* index in order of the first frame of each kind */
     double *bounds; /* [dim][lower, upper][eights] around eight frames of a kind (bounds.h) */
+    double
+        *ends; /* [eights][dim][lower, upper][8] of these frames, in more than three dimensions */
     size_t first_eight[FMB_KINDS + 1], eights; /* of each kind; total of kinds other than NONE */
     fmb_frame *given;              /* [n], or NULL: none is needed; dim 0: the record is complete */
     double *beside;                /* the numbers of given */

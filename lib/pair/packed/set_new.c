@@ -71,15 +71,20 @@ static fmb_status open_set(int dim, size_t n, size_t numbers_beside, const fmb_a
     return st;
 }
 
+static size_t count_ends(const fmb_frames *s)
+{
+    return s->dim > 3 ? 16 * (size_t)s->dim * s->eights : 0;
+}
+
 void fmb_frames_free(fmb_frames *s)
 {
     if (!s)
         return;
     fmb_mem mem = s->mem;
-    FMB_ARRAYS_PUT(&mem, FMB_ARRAY(s->kind, s->n), FMB_ARRAY(s->order, s->n),
-                   FMB_ARRAY(s->room, s->room_size),
-                   FMB_ARRAY(s->bounds, 2 * (size_t)s->dim * s->eights),
-                   FMB_ARRAY(s->beside, s->beside_size), FMB_ARRAY(s->given, s->n));
+    FMB_ARRAYS_PUT(
+        &mem, FMB_ARRAY(s->kind, s->n), FMB_ARRAY(s->order, s->n), FMB_ARRAY(s->room, s->room_size),
+        FMB_ARRAY(s->bounds, 2 * (size_t)s->dim * s->eights), FMB_ARRAY(s->ends, count_ends(s)),
+        FMB_ARRAY(s->beside, s->beside_size), FMB_ARRAY(s->given, s->n));
     fmb_mem_put(&mem, s, 1, sizeof *s);
 }
 
@@ -218,8 +223,12 @@ static fmb_status put_in_order(fmb_frames *s)
     }
     if (s->eights > 0)
         s->bounds = fmb_mem_get(&s->mem, 2 * (size_t)s->dim * s->eights, sizeof *s->bounds);
+    if (s->bounds && count_ends(s) > 0)
+        s->ends = fmb_mem_get(&s->mem, count_ends(s), sizeof *s->ends);
+    if ((s->eights > 0 && !s->bounds) || (count_ends(s) > 0 && !s->ends))
+        return fmb_mem_status(&s->mem);
     fmb_bounds_of_eights(s);
-    return s->bounds || s->eights == 0 ? FMB_OK : fmb_mem_status(&s->mem);
+    return FMB_OK;
 }
 
 /* Finish after adding the frames with status st. */

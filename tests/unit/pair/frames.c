@@ -374,7 +374,7 @@ Test(frames, rows_of_frames_far_from_one_another)
 {
     static many m;
     static fmb_verdict is[MOST][MOST];
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 30; i++) {
         int dim = 2 + i / 6;
         spread_many(dim, i % 3 - 1, i / 3 % 2 ? 0x1p52 : 0, &m);
         fmb_pair *k = opened(dim, FMB_SIMD_PLAIN, 1);

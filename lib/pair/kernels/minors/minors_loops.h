@@ -267,10 +267,11 @@ static void minors_row(int dim, fmb_minors_what what, const fmb_packed_row *x, d
     const int rows = fmb_minors_record(dim);
     minors_queue q = {.n = 0};
     lane one[FMB_MINORS_MOST_RECORD];
-    const double *tiles = x->tiles;
     for (int r = 0; r < rows; r++)
         one[r] = lane_of(x->one[r]);
-    for (size_t g = 0; g < (x->n + 7) / 8; g++) {
+    for (uint64_t left = x->open; left; left &= left - 1) {
+        const size_t g = (size_t)__builtin_ctzll(left);
+        const double *tiles = x->tiles + 8 * g * (size_t)rows;
         out[g] = (fmb_packed_bits){0, 0};
         for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
             const lane *side[2] = {one, (const lane *)tiles};
