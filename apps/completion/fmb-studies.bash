@@ -34,7 +34,7 @@ _fmb_validate()
     case $prev in
         -f | --families)
             _fmb_study_list "article lattice touching near flat degenerate tiny-A tiny-B far
-                denormal swept integer scaled spread ragged all"
+                denormal swept integer scaled spread ragged uneven all"
             ;;
         --simd) _fmb_study_offer "auto plain avx2 avx512" ;;
         -j | --json | --failures) compopt -o default ;;

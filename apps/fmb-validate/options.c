@@ -28,7 +28,7 @@ static const struct argp_option options[] = {
     {"seed", 's', "S", 0, "Seed of the random numbers [1]", 1},
     {"families", 'f', "WORD,...", 0,
      "article, lattice, touching, near, flat, degenerate, tiny-A, tiny-B, far, denormal, swept, "
-     "integer, scaled, spread, ragged, or all [article]",
+     "integer, scaled, spread, ragged, uneven, or all [article]",
      1},
     {"dim", KEY_DIM, "D,...", 0, "Cases D-static and D-dynamic, 1 to 16", 1},
     {"axes", KEY_AXES, "A,B", 0, "How many axes the frames have, for faces and edges [all]", 1},
@@ -68,7 +68,8 @@ static void use_family(const char *word, struct argp_state *state)
     if (!all && !study_pair_family_parse(word, &family))
         argp_error(state,
                    "--families: expected article|lattice|touching|near|flat|degenerate|tiny-A|"
-                   "tiny-B|far|denormal|swept|integer|scaled|spread|ragged|all, found '%s'",
+                   "tiny-B|far|denormal|swept|integer|scaled|spread|ragged|uneven|all, found "
+                   "'%s'",
                    word);
     for (int i = 0; i < STUDY_PAIR_FAMILIES; i++)
         p->family[i] |= all || i == (int)family;

@@ -378,6 +378,21 @@ static void draw_ragged(study_draft *d)
     }
 }
 
+/* So that a simplex may have one far corner, and faces that are long one way alone. */
+static void draw_uneven(study_draft *d)
+{
+    static const int MOST[] = {4, 12, 24, 40};
+    int most = MOST[study_choice(d, 4)];
+    for (int f = 0; f < 2; f++)
+        for (int i = 0; i < d->naxes[f]; i++)
+            if (study_choice(d, 3) == 0)
+                d->factor[f][i] = ldexp(1, study_choice(d, 2 * most + 1) - most);
+    if (study_coin(d))
+        draw_near(d);
+    else
+        draw_touching(d);
+}
+
 study_family_draw *const study_family_draws[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_ARTICLE] = draw_article,   [STUDY_PAIR_LATTICE] = draw_lattice,
     [STUDY_PAIR_TOUCHING] = draw_touching, [STUDY_PAIR_NEAR] = draw_near,
@@ -386,5 +401,5 @@ study_family_draw *const study_family_draws[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_FAR] = draw_far,           [STUDY_PAIR_DENORMAL] = draw_denormal,
     [STUDY_PAIR_SWEPT] = draw_swept,       [STUDY_PAIR_INTEGER] = draw_integer,
     [STUDY_PAIR_SCALED] = draw_scaled,     [STUDY_PAIR_SPREAD] = draw_spread,
-    [STUDY_PAIR_RAGGED] = draw_ragged,
+    [STUDY_PAIR_RAGGED] = draw_ragged,     [STUDY_PAIR_UNEVEN] = draw_uneven,
 };

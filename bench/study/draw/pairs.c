@@ -14,7 +14,7 @@ static const char *const FAMILY[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_FAR] = "far",           [STUDY_PAIR_DENORMAL] = "denormal",
     [STUDY_PAIR_SWEPT] = "swept",       [STUDY_PAIR_INTEGER] = "integer",
     [STUDY_PAIR_SCALED] = "scaled",     [STUDY_PAIR_SPREAD] = "spread",
-    [STUDY_PAIR_RAGGED] = "ragged",
+    [STUDY_PAIR_RAGGED] = "ragged",     [STUDY_PAIR_UNEVEN] = "uneven",
 };
 
 const char *study_pair_family_text(study_pair_family family)

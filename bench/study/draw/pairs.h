@@ -26,6 +26,7 @@ typedef enum study_pair_family {
     STUDY_PAIR_SCALED,   /* article, touching or near, all times one power of 2: any double */
     STUDY_PAIR_SPREAD,   /* the same, each coordinate times its own power of 2: 2^-900 ... 2^900 */
     STUDY_PAIR_RAGGED,   /* the same, every other number times its own power of 2: 1 ... 2^-1080 */
+    STUDY_PAIR_UNEVEN, /* touching or near, axes times powers of 2 of their own: needles, blades */
     STUDY_PAIR_FAMILIES
 } study_pair_family;
 

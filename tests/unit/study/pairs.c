@@ -265,6 +265,34 @@ Test(pairs, ragged_ones_have_numbers_whose_products_vanish)
     cr_expect(vanish > 100 && large > 900, "%d, %d", vanish, large);
 }
 
+/* The quotient of the longest axis and the shortest, as a power of 2. */
+static int unevenness(const fmb_frame *f)
+{
+    int most = -2000, least = 2000;
+    for (int i = 0; i < f->naxes; i++) {
+        double size = 0;
+        int power;
+        for (int j = 0; j < f->dim; j++)
+            size = fmax(size, fabs(f->axes[i * f->dim + j]));
+        frexp(size, &power);
+        most = power > most ? power : most;
+        least = power < least ? power : least;
+    }
+    return most - least;
+}
+
+Test(pairs, uneven_ones_are_long_and_short)
+{
+    study_pair_plan plan = plan_of(STUDY_PAIR_UNEVEN, 4, false);
+    int much = 0;
+    for (uint64_t k = 0; k < 1000; k++) {
+        static study_pair pair;
+        study_pair_draw(&plan, 3, k, &pair);
+        much += unevenness(&pair.p) > 10 || unevenness(&pair.q) > 10;
+    }
+    cr_expect(much > 400, "%d", much);
+}
+
 static bool meets_left(void *self, const fmb_frame *p, const fmb_frame *q)
 {
     ++*(int *)self;
