@@ -96,7 +96,7 @@ static uint64_t find_open_eights(chunk *c, const fmb_bounds *box)
     return open;
 }
 
-/* To compare takes a tenth of what a kernel takes at least. */
+/* To compare takes a tenth of what a kernel takes at least, so it has to spare one in ten. */
 static bool is_worth_comparing(const chunk *c)
 {
     enum { TRIAL = 16, SHARE = 10 };
@@ -135,6 +135,23 @@ static fmb_bounds bounds_of(const fmb_frames *a, size_t i)
     return out;
 }
 
+/* Test open eights of a chunk: in the plane and in space by runs of them. */
+static void ask_eights(const fmb_pair *k, fmb_packed_row row, fmb_minors_what what, const chunk *c,
+                       fmb_packed_bits out[EIGHTS])
+{
+    if (k->dim > 3) {
+        k->wide->minors->row(k->dim, what, &row, k->room, out);
+        return;
+    }
+    for (uint64_t left = row.open; left;) {
+        size_t count, g = take_run_of_eights(&left, &count);
+        row.tiles = c->tiles + 8 * g * c->set->stride;
+        row.index = c->set->order + c->from + 8 * g;
+        row.n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count;
+        k->wide->packed->row[k->dim - 2](&row, out + g);
+    }
+}
+
 /* Test frame i of a, with this box, against the frames of a chunk whose boxes it may meet. After a
  * cancel all are undecided. */
 static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, const fmb_bounds *box,
@@ -146,27 +163,19 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, const fm
         out[g] = (fmb_packed_bits){.apart = known ? 0xff : 0, .meet = 0};
     if (!known)
         return;
-    uint64_t open = open_eights(k, box, c);
-    fmb_packed_row row = {.one = fmb_frames_record(a, i),
-                          .tiles = c->tiles,
-                          .record = c->set->record,
-                          .index = c->set->order + c->from,
-                          .n = c->n,
-                          .open = open,
-                          .moves = plan.moves,
-                          .closed = k->options.contact == FMB_CONTACT_CLOSED,
-                          .swapped = plan.swapped,
-                          .shapes = plan.shapes,
-                          .kind = &plan.flat};
-    if (k->dim > 3 && open)
-        k->wide->minors->row(k->dim, plan.what, &row, k->room, out);
-    while (k->dim < 4 && open) {
-        size_t count, g = take_run_of_eights(&open, &count);
-        row.tiles = c->tiles + 8 * g * c->set->stride;
-        row.index = c->set->order + c->from + 8 * g;
-        row.n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count;
-        k->wide->packed->row[k->dim - 2](&row, out + g);
-    }
+    const fmb_packed_row row = {.one = fmb_frames_record(a, i),
+                                .tiles = c->tiles,
+                                .record = c->set->record,
+                                .index = c->set->order + c->from,
+                                .n = c->n,
+                                .open = open_eights(k, box, c),
+                                .moves = plan.moves,
+                                .closed = k->options.contact == FMB_CONTACT_CLOSED,
+                                .swapped = plan.swapped,
+                                .shapes = plan.shapes,
+                                .kind = &plan.flat};
+    if (row.open)
+        ask_eights(k, row, plan.what, c, out);
 }
 
 /* ---- one against many ------------------------------------------------------------------------ */

@@ -20,7 +20,6 @@
  * Errors: docs/error-bounds.md, "Cuboids"; bound is its K.
  */
 typedef struct fmb_cuboids {
-    int dim, n; /* n: the number of g_k */
     lane size, g[4][3], center[3];
     fmb_bound bound;
     lane cross[6][3]; /* of g_a, g_b, a < b, at [b (b - 1) / 2 + a] */
