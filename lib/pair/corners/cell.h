@@ -62,6 +62,14 @@ static inline fmb_triangle_plane fmb_plane_of_cell(const fmb_cell *c)
 /* Decide two triangles, tame and not flat; plane: of a; common: their fmb_cell_common. */
 fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_triangle_plane *plane,
                                   const fmb_cell *b, unsigned common);
+/* Two triangles in one plane, of which b may be flat. An axis that is not in the plane: */
+int fmb_triangle_axis(const fmb_cell *a);
+/* Seen along it: 1: an edge of a has all of b strictly outside; 0: outside or on it; -1: no edge
+ * has. */
+int fmb_separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b);
+/* With one common corner and relative interiors that do not meet, all common points lie in a line
+ * through the corner that separates them: they are more than the corner iff this is true. */
+bool fmb_have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b);
 /* Decide a tame triangle that is flat and one that is not, in a plane; CROSS, if the relative
  * interiors meet. False: the flat one is a point. */
 bool fmb_decide_segment(const fmb_cell *flat, const fmb_cell *c, const fmb_triangle_plane *plane,

@@ -5,7 +5,7 @@
  * alone: only the edge, the common face, can be common. If S is not in the plane of T, they have at
  * most one point in common: x, where S crosses the plane, in u, w or between them. It is in T iff
  * the volumes of u, w and the edges of T do not have both signs; none is 0 iff x is no point of an
- * edge. Else, see below.
+ * edge.
  */
 #include "pair/corners/cell.h"
 
@@ -27,74 +27,28 @@ static bool find_ends_of_segment(const fmb_cell *flat, int end[2])
 
 /* ---- one plane ------------------------------------------------------------------------------- */
 
-/* A segment and a triangle in one plane, seen along axis k; the triangle turns left if inner > 0.
- */
-typedef struct flat_view {
-    int k, inner;
-    const double *end[2];
-    const double *const *corner; /* [3] */
-} flat_view;
-
-/* T seen from its corner i, which is a point of S: there T is the cone of the two edges that begin
- * in the corner, and S goes on towards an end that is not the corner. */
-static fmb_mesh_how decide_around_corner(const flat_view *v, int i)
+/* 1: T is strictly on one side of the line of S, seen along axis k; 0: on one side or on it; -1: on
+ * both sides. */
+static int separate_by_line(int k, const double *const end[2], const fmb_cell *c)
 {
-    const double *p = v->corner[i], *q = v->corner[(i + 1) % 3], *r = v->corner[(i + 2) % 3];
-    fmb_mesh_how how = FMB_MESH_SHARE;
-    for (int e = 0; e < 2; e++) {
-        int from_q = v->inner * fmb_sign_of_turn(v->k, p, q, v->end[e]);
-        int to_r = v->inner * fmb_sign_of_turn(v->k, p, v->end[e], r);
-        if (from_q > 0 && to_r > 0)
-            return FMB_MESH_CROSS;
-        if (from_q + to_r > 0 && from_q >= 0 && to_r >= 0)
-            how = FMB_MESH_TOUCH;
-    }
-    return how;
-}
-
-/* 1: an edge of T has all of S strictly outside; 0: outside or on it; -1: no edge has. */
-static int separate_by_edges_of_triangle(const flat_view *v)
-{
-    int best = -1;
-    for (int i = 0; i < 3; i++) {
-        int least = 1;
-        for (int e = 0; e < 2; e++) {
-            int out =
-                -v->inner * fmb_sign_of_turn(v->k, v->corner[i], v->corner[(i + 1) % 3], v->end[e]);
-            least = out < least ? out : least;
-        }
-        best = least > best ? least : best;
-    }
-    return best;
-}
-
-/* The same for the line of S and T. */
-static int separate_by_segment(const flat_view *v)
-{
+    enum { RIGHT = 1, ON = 2, LEFT = 4 };
     int seen = 0;
     for (int i = 0; i < 3; i++)
-        seen |= 1 << (1 + fmb_sign_of_turn(v->k, v->end[0], v->end[1], v->corner[i]));
-    enum { RIGHT = 1, ON = 2, LEFT = 4 };
+        seen |= 1 << (1 + fmb_sign_of_turn(k, end[0], end[1], c->point[i]));
     return (seen & RIGHT) && (seen & LEFT) ? -1 : (seen & ON) ? 0 : 1;
 }
 
-/* Convex polygons in the plane, here a triangle and a segment, are separated by the line of an edge
- * of one of them: strictly if they are apart, weakly if their relative interiors are. */
-static fmb_mesh_how decide_apart_from_corners(const flat_view *v)
+/* As two triangles (triangles.c), of which one has a single line. */
+static fmb_mesh_how decide_within_plane(const fmb_cell *flat, const double *const end[2],
+                                        const fmb_cell *c, int shared)
 {
-    int of_edges = separate_by_edges_of_triangle(v);
-    int best = of_edges > 0 ? of_edges : separate_by_segment(v);
-    best = best > of_edges ? best : of_edges;
-    return best > 0 ? FMB_MESH_APART : best == 0 ? FMB_MESH_TOUCH : FMB_MESH_CROSS;
-}
-
-static fmb_mesh_how decide_within_plane(const fmb_cell *flat, const int end[2], const fmb_cell *c,
-                                        unsigned common)
-{
-    flat_view v = {.end = {flat->point[end[0]], flat->point[end[1]]}, .corner = c->point};
-    while ((v.inner = fmb_sign_of_turn(v.k, c->point[0], c->point[1], c->point[2])) == 0)
-        v.k++;
-    return common ? decide_around_corner(&v, (int)(common >> 1)) : decide_apart_from_corners(&v);
+    const int k = fmb_triangle_axis(c), of_edges = fmb_separate_by_edges(k, c, flat);
+    const int of_line = of_edges > 0 ? of_edges : separate_by_line(k, end, c);
+    if (of_line > 0)
+        return FMB_MESH_APART;
+    if (of_edges < 0 && of_line < 0)
+        return FMB_MESH_CROSS;
+    return shared == 1 && !fmb_have_edges_on_one_ray(k, c, flat) ? FMB_MESH_SHARE : FMB_MESH_TOUCH;
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
@@ -117,8 +71,7 @@ static fmb_mesh_how decide_across_plane(const double *const end[2], const int si
 bool fmb_decide_segment(const fmb_cell *flat, const fmb_cell *c, const fmb_triangle_plane *plane,
                         fmb_mesh_how *out)
 {
-    const unsigned common = fmb_cell_common(c, flat);
-    const int shared = fmb_cell_count(common);
+    const int shared = fmb_cell_count(fmb_cell_common(c, flat));
     int end[2], side[2];
     *out = FMB_MESH_SHARE;
     if (!find_ends_of_segment(flat, end))
@@ -129,7 +82,7 @@ bool fmb_decide_segment(const fmb_cell *flat, const fmb_cell *c, const fmb_trian
     for (int e = 0; e < 2; e++)
         side[e] = fmb_cell_has(c, flat->id[end[e]]) ? 0 : fmb_side_of_triangle_plane(plane, at[e]);
     if (side[0] == 0 && side[1] == 0)
-        *out = decide_within_plane(flat, end, c, common);
+        *out = decide_within_plane(flat, at, c, shared);
     else if (shared == 0)
         *out = decide_across_plane(at, side, c);
     return true;

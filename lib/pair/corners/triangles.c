@@ -113,8 +113,7 @@ static int side_of_edge(int k, const fmb_cell *a, int i, const fmb_cell *b, int 
     return turn_in_plane(k, a->point[i], a->point[next], b->point[j]);
 }
 
-/* 1: an edge of a has all of b strictly outside; 0: outside or on it; -1: no edge has. */
-static int separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
+int fmb_separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
 {
     int best = -1, inner = turn_in_plane(k, a->point[0], a->point[1], a->point[2]);
     for (int i = 0; i < 3; i++) {
@@ -137,10 +136,7 @@ static bool are_same_way(const double *v, const double *p, const double *q)
     return (p[j] > v[j]) == (q[j] > v[j]);
 }
 
-/* Triangles with one common corner whose interiors do not meet: all common points lie in a line
- * through the corner that separates them. They are more than the corner iff both have an edge on
- * the same ray of it. */
-static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
+bool fmb_have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
 {
     int i = 0, j = 0;
     while (!fmb_cell_has(b, a->id[i]))
@@ -151,26 +147,32 @@ static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
     for (int s = 1; s < 3; s++)
         for (int t = 1; t < 3; t++) {
             const double *p = a->point[(i + s) % 3], *q = b->point[(j + t) % 3];
-            if (turn_in_plane(k, v, p, q) == 0 && are_same_way(v, p, q))
+            if (b->id[(j + t) % 3] != a->id[i] && turn_in_plane(k, v, p, q) == 0 &&
+                are_same_way(v, p, q))
                 return true;
         }
     return false;
+}
+
+int fmb_triangle_axis(const fmb_cell *c)
+{
+    int k = 0;
+    while (k < 2 && turn_in_plane(k, c->point[0], c->point[1], c->point[2]) == 0)
+        k++;
+    return k;
 }
 
 /* In the plane, convex polygons with interiors that do not meet are separated by the line of an
  * edge; strictly, if they are apart, which they are not with a corner in common. */
 static fmb_mesh_how decide_in_plane(const fmb_cell *a, const fmb_cell *b, int shared)
 {
-    int k = 0;
-    while (k < 2 && turn_in_plane(k, a->point[0], a->point[1], a->point[2]) == 0)
-        k++;
-    int of_a = separate_by_edges(k, a, b);
-    int of_b = of_a > 0 || (of_a == 0 && shared > 0) ? of_a : separate_by_edges(k, b, a);
+    int k = fmb_triangle_axis(a), of_a = fmb_separate_by_edges(k, a, b);
+    int of_b = of_a > 0 || (of_a == 0 && shared > 0) ? of_a : fmb_separate_by_edges(k, b, a);
     if (of_a > 0 || of_b > 0)
         return FMB_MESH_APART;
     if (of_a < 0 && of_b < 0)
         return FMB_MESH_COPLANAR;
-    bool only_shared = shared == 2 || (shared == 1 && !have_edges_on_one_ray(k, a, b));
+    bool only_shared = shared == 2 || (shared == 1 && !fmb_have_edges_on_one_ray(k, a, b));
     return only_shared ? FMB_MESH_SHARE : FMB_MESH_TOUCH;
 }
 

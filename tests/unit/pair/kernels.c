@@ -8,38 +8,14 @@
 #include "property/random/rows.h"
 #include "study/draw/pairs.h"
 #include "study/sat/sat.h"
+#ifdef BY_SAT
+#define KERNELS_TESTED study_sat_kernels
+#endif
+#include "widths.h"
 
-enum { LANES = FMB_BLOCK_MOST_LANES, WIDTHS = 4 };
+enum { LANES = FMB_BLOCK_MOST_LANES };
 
 /* ---- kernels --------------------------------------------------------------------------------- */
-
-/* One pair at a time, as on processors without vectors. */
-extern const fmb_pair_kernels kernels_plain;
-
-static const fmb_pair_kernels *tested(const fmb_pair_kernels *k)
-{
-#ifdef BY_SAT
-    return study_sat_kernels(k);
-#else
-    return k;
-#endif
-}
-
-/* And the kernels of this processor. */
-static int widths(const fmb_pair_kernels *out[WIDTHS])
-{
-    const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
-    int n = 0;
-#ifdef HAVE_PLAIN
-    out[n++] = &kernels_plain;
-#endif
-    for (int i = 0; i < 3; i++) {
-        const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
-        if (k && k->width > 1)
-            out[n++] = tested(k);
-    }
-    return n;
-}
 
 typedef struct kind {
     int dim;

@@ -1,8 +1,13 @@
-/* widths.h: the kernels of every width that this processor has, for tests that ask all of them. */
+/* widths.h: the kernels of every width that this processor has, for tests that ask all of them, or
+ * what KERNELS_TESTED makes of them. */
 #ifndef FMB_TESTS_PAIR_WIDTHS_H
 #define FMB_TESTS_PAIR_WIDTHS_H
 
 #include "pair/kernels/pair_kernels.h"
+
+#ifndef KERNELS_TESTED
+#define KERNELS_TESTED(kernels) (kernels)
+#endif
 
 enum { WIDTHS = 4 };
 
@@ -19,7 +24,7 @@ static inline int widths(const fmb_pair_kernels *out[WIDTHS])
     for (int i = 0; i < 3; i++) {
         const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
         if (k && k->width > 1)
-            out[n++] = k;
+            out[n++] = KERNELS_TESTED(k);
     }
     return n;
 }
